@@ -1,0 +1,4 @@
+//! How balls move on a table: exact, fast, and the same everywhere.
+
+pub mod geometry;
+pub mod scalar;

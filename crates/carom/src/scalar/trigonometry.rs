@@ -1,0 +1,40 @@
+//! The one door to transcendental functions: `libm`, which gives the same bits on every platform.
+
+use super::Scalar;
+
+/// The unit vector `(cos, sin)` of an angle in degrees.
+///
+/// Multiples of 90 degrees are exact, so that the quarter arcs of a table end where its lines begin.
+pub fn direction<S: Scalar>(degrees: S) -> (S, S) {
+    let value = degrees.to_f64();
+    let turns = libm::round(value / 90.0);
+    let (cos, sin) = ((degrees - S::from_f64(90.0 * turns)) * S::from_f64(core::f64::consts::PI / 180.0)).cos_sin();
+    match libm::fmod(turns, 4.0) as i8 {
+        0 => (cos, sin),
+        1 | -3 => (-sin, cos),
+        2 | -2 => (-cos, -sin),
+        _ => (sin, -cos),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::direction;
+
+    #[test]
+    fn quarter_turns_are_exact() {
+        assert_eq!(direction(90.0), (-0.0, 1.0));
+        assert_eq!(direction(-90.0), (0.0, -1.0));
+        assert_eq!(direction(540.0), (-1.0, 0.0));
+        assert_eq!(direction(-360.0), (1.0, 0.0));
+    }
+
+    #[test]
+    fn direction_agrees_with_the_definition() {
+        for degrees in [-731.0, -46.0, -44.0, 12.5, 53.13, 134.9, 200.0, 359.0] {
+            let (cos, sin) = direction::<f64>(degrees);
+            let radians = degrees.to_radians();
+            assert!((cos - libm::cos(radians)).abs() < 4e-15 && (sin - libm::sin(radians)).abs() < 4e-15);
+        }
+    }
+}
