@@ -36,13 +36,10 @@ fn split(a: f64) -> (f64, f64) {
     const LARGE: f64 = f64::from_bits((1023 + 990) << 52); // 2⁹⁹⁰, beyond which FACTOR · a may overflow
     const DOWN: f64 = f64::from_bits((1023 - 28) << 52);
     const UP: f64 = f64::from_bits((1023 + 28) << 52);
-    if a.abs() > LARGE {
-        let (high, low) = split(a * DOWN);
-        return (high * UP, low * UP);
-    }
+    let (a, back) = if a.abs() > LARGE { (a * DOWN, UP) } else { (a, 1.0) };
     let scaled = FACTOR * a;
     let high = scaled - (scaled - a);
-    (high, a - high)
+    (high * back, (a - high) * back)
 }
 
 /// `a · b` exactly, as the rounded product and its error (Dekker; no fused operation, so the same bits everywhere).

@@ -79,6 +79,7 @@ impl<const N: usize> Sub for Dual<N> {
 impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
 
+    #[allow(clippy::suspicious_arithmetic_impl)] // the product rule adds
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Self::with(self.value * other.value, |i| {
@@ -90,6 +91,7 @@ impl<const N: usize> Mul for Dual<N> {
 impl<const N: usize> Div for Dual<N> {
     type Output = Self;
 
+    #[allow(clippy::suspicious_arithmetic_impl)] // the quotient rule multiplies and subtracts
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
