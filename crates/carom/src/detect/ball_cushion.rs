@@ -3,7 +3,7 @@
 use super::Surroundings;
 use crate::flight::Flight;
 use crate::geometry::Vec2;
-use crate::model::{ContactTolerance, Cushion, Line, Round, closing_threshold};
+use crate::model::{ContactTolerance, Face, Line, Round, closing_threshold};
 use crate::roots::{Polynomial, first_contact};
 use crate::scalar::Scalar;
 
@@ -16,13 +16,13 @@ use crate::scalar::Scalar;
 pub fn detect_ball_cushion<S: Scalar>(
     flight: &Flight<S>,
     radius: S,
-    cushion: &Cushion<S>,
+    cushion: &Face<S>,
     tolerance: &ContactTolerance<S>,
     seen: &mut Surroundings<S>,
 ) -> Option<S> {
     match cushion {
-        Cushion::Line(line) => detect_line(flight, radius, line, tolerance.of(radius), seen),
-        Cushion::Round(round) => detect_round(flight, radius, round, tolerance.of(radius), seen),
+        Face::Line(line) => detect_line(flight, radius, line, tolerance.of(radius), seen),
+        Face::Round(round) => detect_round(flight, radius, round, tolerance.of(radius), seen),
     }
 }
 
@@ -94,15 +94,15 @@ fn detect_round<S: Scalar>(
 pub fn cushion_gap<S: Scalar>(
     position: Vec2<S>,
     radius: S,
-    cushion: &Cushion<S>,
+    cushion: &Face<S>,
     tolerance: &ContactTolerance<S>,
 ) -> Option<S> {
     let tolerance = tolerance.of(radius);
     match cushion {
-        Cushion::Line(line) => {
+        Face::Line(line) => {
             line.spans(position, tolerance).then(|| line.height(position) - radius)
         }
-        Cushion::Round(round) => {
+        Face::Round(round) => {
             let ray = position - round.arc.center;
             let distance = round.contact_distance(radius);
             let gap = if round.is_hollow() { distance - ray.norm() } else { ray.norm() - distance };

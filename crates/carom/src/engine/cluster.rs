@@ -117,7 +117,7 @@ impl<S: Scalar> Discs<S> {
         let radius = self.system.discs[member.ball].radius;
         let tolerance = self.system.tolerance.of(radius);
         let first = contacts.len();
-        for (number, cushion) in self.system.cushions.iter().enumerate() {
+        for (number, cushion) in self.system.faces.iter().enumerate() {
             let Some(gap) = cushion_gap(member.position, radius, cushion, &self.system.tolerance) else { continue };
             if gap.abs() > tolerance || self.is_behind(member.ball, number as u32) {
                 continue;
@@ -143,7 +143,7 @@ impl<S: Scalar> Discs<S> {
             });
             let Some(contact) = strongest else { return events };
             let Some(cushion) = contact.cushion else { return events };
-            let (normal, scale) = self.system.cushions[cushion as usize].normal_at(member.position);
+            let (normal, scale) = self.system.faces[cushion as usize].normal_at(member.position);
             let rebound = self.cushion_law(member.ball, cushion, time).rebound(member.velocity, normal, scale);
             let mass = self.system.discs[member.ball].mass;
             let impulse = (rebound.velocity - member.velocity).dot(normal) * scale * mass;
@@ -214,7 +214,7 @@ impl<S: Scalar> Discs<S> {
             let member = &members[contact.members.0];
             let law = self.cushion_law(member.ball, cushion, time);
             if law.tangential != S::ONE {
-                let (normal, scale) = self.system.cushions[cushion as usize].normal_at(member.position);
+                let (normal, scale) = self.system.faces[cushion as usize].normal_at(member.position);
                 let body = &mut bodies[contact.members.0];
                 body.velocity = law.scale_tangential(body.velocity, normal, scale);
                 changed = true;

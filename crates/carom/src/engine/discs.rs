@@ -12,7 +12,7 @@ use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::law::ball_ball::Pair;
 use crate::law::{ball_ball, ball_cushion};
-use crate::model::{Cushion, closing_threshold};
+use crate::model::{Face, closing_threshold};
 use crate::scalar::Scalar;
 use crate::scenario::System;
 use std::sync::Arc;
@@ -159,7 +159,7 @@ impl<S: Scalar> Discs<S> {
         let mut seen = Surroundings::CLEAR;
         let mut met = Surroundings::CLEAR;
         let mut next = Pending::NEVER;
-        for (number, cushion) in system.cushions.iter().enumerate() {
+        for (number, cushion) in system.faces.iter().enumerate() {
             let target = Target::Cushion(number as u32);
             if track.is_held() && track.held_by.contains(&Some(number as u32)) {
                 continue;
@@ -216,10 +216,10 @@ impl<S: Scalar> Discs<S> {
             && self.system.discs[ball].radius == S::ZERO
     }
 
-    fn detect_round_the_wall(&self, ball: usize, cushion: &Cushion<S>) -> Option<S> {
+    fn detect_round_the_wall(&self, ball: usize, cushion: &Face<S>) -> Option<S> {
         match cushion {
-            Cushion::Line(line) => detect_from_behind(&self.flights[ball], line, self.system.tolerance.of(S::ZERO)),
-            Cushion::Round(_) => None,
+            Face::Line(line) => detect_from_behind(&self.flights[ball], line, self.system.tolerance.of(S::ZERO)),
+            Face::Round(_) => None,
         }
     }
 
@@ -229,7 +229,7 @@ impl<S: Scalar> Discs<S> {
         let tolerance = system.tolerance.of(system.discs[ball].radius);
         let mut next = next;
         for cushion in self.tracks[ball].held_by.into_iter().flatten() {
-            if let Cushion::Line(line) = &system.cushions[cushion as usize] {
+            if let Face::Line(line) = &system.faces[cushion as usize] {
                 // Twice the tolerance: where it is let go, the ball's foot must no longer count as on the cushion.
                 let offset = detect_release(flight, line, tolerance * S::from_f64(2.0));
                 next = next.earlier(flight.start, offset, Target::Release(cushion));
@@ -267,7 +267,7 @@ impl<S: Scalar> Discs<S> {
         let before = self.flights[ball];
         let (position, velocity) = (before.position_after(pending.offset), before.velocity_after(pending.offset));
         let disc = self.system.discs[ball];
-        let (normal, scale) = self.system.cushions[cushion as usize].normal_at(position);
+        let (normal, scale) = self.system.faces[cushion as usize].normal_at(position);
         let rebound = self.cushion_law(ball, cushion, pending.time).rebound(velocity, normal, scale);
         let track = self.tracks[ball];
         self.begin_flight(ball, pending.time, position, rebound.velocity);
@@ -353,7 +353,7 @@ impl<S: Scalar> Discs<S> {
         }
         if let Some(cushion) = self.tracks[ball].last_cushion {
             let tolerance = &self.system.tolerance;
-            let cushion = &self.system.cushions[cushion as usize];
+            let cushion = &self.system.faces[cushion as usize];
             let gap = cushion_gap(self.flights[ball].position, radius, cushion, tolerance);
             if !gap.is_some_and(|gap| gap.abs() <= tolerance.of(radius)) {
                 self.tracks[ball].last_cushion = None;

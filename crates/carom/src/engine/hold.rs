@@ -5,7 +5,7 @@ use super::event::{Event, Kind};
 use super::observer::Observer;
 use crate::flight::Flight;
 use crate::geometry::Vec2;
-use crate::model::{Cushion, Line, closing_threshold};
+use crate::model::{Face, Line, closing_threshold};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Discs<S> {
@@ -50,7 +50,7 @@ impl<S: Scalar> Discs<S> {
         let shortest = self.system.collapse_times[ball];
         let mut hardest: Option<(u32, Line<S>, S)> = None;
         for &cushion in touched {
-            let Cushion::Line(line) = self.system.cushions[cushion as usize] else { continue };
+            let Face::Line(line) = self.system.faces[cushion as usize] else { continue };
             let pull = -line.normal.dot(flight.acceleration);
             let speed = line.normal.dot(flight.velocity);
             let is_short = speed >= -threshold && speed * S::from_f64(2.0) <= shortest * pull + threshold;
@@ -72,7 +72,7 @@ impl<S: Scalar> Discs<S> {
     ) {
         let flight = self.flights[ball];
         let (position, velocity) = (flight.position_after(pending.offset), flight.velocity_after(pending.offset));
-        let (normal, _) = self.system.cushions[cushion as usize].normal_at(position);
+        let (normal, _) = self.system.faces[cushion as usize].normal_at(position);
         self.begin_flight(ball, pending.time, position, velocity);
         self.predict(ball, Target::Nothing);
         let event = Event {

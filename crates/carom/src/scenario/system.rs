@@ -3,7 +3,7 @@
 use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::law::{ball_ball, ball_cushion};
-use crate::model::{ContactTolerance, Cushion, Disc};
+use crate::model::{ContactTolerance, Disc, Face};
 use crate::scalar::Scalar;
 
 /// How several contacts at one instant are resolved.
@@ -23,7 +23,7 @@ pub struct System<S> {
     /// Their flights at time zero.
     pub flights: Vec<Flight<S>>,
     /// The boundary, obstacles and corners.
-    pub cushions: Vec<Cushion<S>>,
+    pub faces: Vec<Face<S>>,
     /// The law of each cushion.
     pub cushion_laws: Vec<ball_cushion::Restitution<S>>,
     /// For each cushion, the one on the other side of a thin wall.

@@ -1,11 +1,11 @@
-//! Cushions: the boundary as a ball meets it.
+//! The faces of cushions: the boundary as a ball meets it.
 
 use crate::geometry::{Arc, Piece, Vec2};
 use crate::scalar::Scalar;
 
 /// A piece of boundary made ready for detection.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Cushion<S> {
+pub enum Face<S> {
     /// A straight cushion.
     Line(Line<S>),
     /// A circular cushion, or a corner point.
@@ -34,8 +34,8 @@ pub struct Round<S> {
     pub arc: Arc<S>,
 }
 
-impl<S: Scalar> Cushion<S> {
-    /// The cushion of a piece of boundary.
+impl<S: Scalar> Face<S> {
+    /// The face of a piece of boundary.
     pub fn of_piece(piece: &Piece<S>) -> Self {
         match piece {
             Piece::Line(segment) => {
@@ -43,23 +43,23 @@ impl<S: Scalar> Cushion<S> {
                 let along = segment.along().unit();
                 let normal = along.left();
                 let normal_scale = S::ONE / normal.norm_squared();
-                Cushion::Line(Line { start: segment.start, along, normal, normal_scale, length })
+                Face::Line(Line { start: segment.start, along, normal, normal_scale, length })
             }
-            Piece::Arc(arc) => Cushion::Round(Round { arc: *arc }),
+            Piece::Arc(arc) => Face::Round(Round { arc: *arc }),
         }
     }
 
     /// A corner point that balls of positive radius can hit.
     pub fn corner(point: Vec2<S>) -> Self {
         let arc = Arc::from_degrees(point, S::ZERO, S::from_f64(360.0), S::ZERO);
-        Cushion::Round(Round { arc })
+        Face::Round(Round { arc })
     }
 
     /// The unit vector into the table at the foot of `position`, with one over its squared length.
     pub fn normal_at(&self, position: Vec2<S>) -> (Vec2<S>, S) {
         match self {
-            Cushion::Line(line) => (line.normal, line.normal_scale),
-            Cushion::Round(round) => {
+            Face::Line(line) => (line.normal, line.normal_scale),
+            Face::Round(round) => {
                 let outward = (position - round.arc.center).unit();
                 (if round.is_hollow() { -outward } else { outward }, S::ONE)
             }
