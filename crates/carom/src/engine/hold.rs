@@ -11,7 +11,7 @@ impl<S: Scalar> Discs<S> {
     /// Holds a ball on those of the cushions it touches from which its next bounce would last less than t_c: its normal
     /// velocity becomes zero and its acceleration the projection on the cushion. Says whether any holds it.
     pub(super) fn settle(&mut self, ball: usize, touched: &[u32], observer: &mut impl Observer<S>) -> bool {
-        if self.system.field == Vec2::ZERO {
+        if !self.has_field {
             return false;
         }
         let mut flight = self.flights[ball];
