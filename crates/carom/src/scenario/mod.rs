@@ -1,5 +1,7 @@
 //! The text format of scenarios, and its checking.
 
+mod check;
+mod json;
 mod json_schema;
 mod layout;
 mod nearest;
@@ -8,7 +10,9 @@ mod path;
 mod problem;
 pub mod schema;
 mod system;
+mod start;
 mod structure;
+mod values;
 
 pub use json_schema::json_schema;
 pub use layout::Number;
@@ -16,3 +20,4 @@ pub use path::Key;
 pub use problem::{Problem, ScenarioError};
 pub use schema::Scenario;
 pub use system::System;
+pub use start::BallStart;
