@@ -1,4 +1,6 @@
 //! How balls move on a table: exact, fast, and the same everywhere.
 
 pub mod geometry;
+pub mod model;
 pub mod scalar;
+pub mod scenario;

@@ -8,7 +8,8 @@ use super::Scalar;
 pub fn direction<S: Scalar>(degrees: S) -> (S, S) {
     let value = degrees.to_f64();
     let turns = libm::round(value / 90.0);
-    let (cos, sin) = ((degrees - S::from_f64(90.0 * turns)) * S::from_f64(core::f64::consts::PI / 180.0)).cos_sin();
+    let (cos, sin) =
+        ((degrees - S::from_f64(90.0 * turns)) * S::from_f64(core::f64::consts::PI / 180.0)).cos_sin();
     match libm::fmod(turns, 4.0) as i8 {
         0 => (cos, sin),
         1 | -3 => (-sin, cos),
