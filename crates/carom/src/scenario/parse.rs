@@ -17,6 +17,9 @@ impl Scenario {
 
     /// Checks a scenario given as a JSON value.
     pub fn from_value(value: Value) -> Result<Self, ScenarioError> {
+        let mut findings = super::problem::Findings::default();
+        let value = super::structure::check_structure(&value, &mut findings);
+        findings.into_result()?;
         serde_path_to_error::deserialize(value)
             .map_err(|error| Problem::new(error.path(), error.inner()).into())
     }

@@ -11,7 +11,7 @@ pub enum Color {
     /// A name such as "crimson", or "#rgb" or "#rrggbb".
     Text(String),
     /// [red, green, blue], each from 0 to 1.
-    Rgb([f64; 3]),
+    Rgb(#[schemars(inner(range(min = 0.0, max = 1.0)))] [f64; 3]),
 }
 
 /// The colour names of CSS (Color Module Level 4), in order; matplotlib knows the same ones.
