@@ -138,9 +138,7 @@ pub fn cushion_gap<S: Scalar>(
 ) -> Option<S> {
     let tolerance = tolerance.of(radius);
     match cushion {
-        Face::Line(line) => {
-            line.spans(position, tolerance).then(|| line.height(position) - radius)
-        }
+        Face::Line(line) => line.spans(position, tolerance).then(|| line.height(position) - radius),
         Face::Round(round) => {
             let ray = position - round.arc.center;
             let distance = round.contact_distance(radius);

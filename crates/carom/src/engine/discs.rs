@@ -4,7 +4,10 @@
 //! partner's counter tells; nobody hunts for third parties.
 
 use super::queue::Queue;
-use crate::detect::{Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_first_cushion, detect_from_behind, detect_release};
+use crate::detect::{
+    Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_first_cushion,
+    detect_from_behind, detect_release,
+};
 use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::law::ball_ball::Pair;
@@ -166,17 +169,20 @@ impl<S: Scalar> Discs<S> {
         let struck = if let Target::Cushion(cushion) = struck { cushion as usize } else { usize::MAX };
         let tolerance = system.tolerance.of(radius);
         match detect_first_cushion(flight, radius, &system.faces, tolerance, struck, seen) {
-            Some((cushion, offset)) => Pending {
-                time: flight.start + offset,
-                offset,
-                target: Target::Cushion(cushion as u32),
-            },
+            Some((cushion, offset)) => {
+                Pending { time: flight.start + offset, offset, target: Target::Cushion(cushion as u32) }
+            }
             None => Pending::NEVER,
         }
     }
 
     /// The same for a ball in a field, where a cushion may hold it, or on a table with thin walls.
-    fn next_cushion_in_field(&self, ball: usize, struck: Target, seen: &mut [Surroundings<S>; 2]) -> Pending<S> {
+    fn next_cushion_in_field(
+        &self,
+        ball: usize,
+        struck: Target,
+        seen: &mut [Surroundings<S>; 2],
+    ) -> Pending<S> {
         let system = &*self.system;
         let flight = &self.flights[ball];
         let radius = system.discs[ball].radius;
@@ -257,7 +263,9 @@ impl<S: Scalar> Discs<S> {
 
     fn detect_round_the_wall(&self, ball: usize, cushion: &Face<S>) -> Option<S> {
         match cushion {
-            Face::Line(line) => detect_from_behind(&self.flights[ball], line, self.system.tolerance.of(S::ZERO)),
+            Face::Line(line) => {
+                detect_from_behind(&self.flights[ball], line, self.system.tolerance.of(S::ZERO))
+            }
             Face::Round(_) => None,
         }
     }
@@ -314,9 +322,16 @@ impl<S: Scalar> Discs<S> {
     }
 
     #[inline]
-    fn strike_cushion(&mut self, ball: usize, cushion: u32, pending: &Pending<S>, observer: &mut impl Observer<S>) {
+    fn strike_cushion(
+        &mut self,
+        ball: usize,
+        cushion: u32,
+        pending: &Pending<S>,
+        observer: &mut impl Observer<S>,
+    ) {
         let before = self.flights[ball];
-        let (position, velocity) = (before.position_after(pending.offset), before.velocity_after(pending.offset));
+        let (position, velocity) =
+            (before.position_after(pending.offset), before.velocity_after(pending.offset));
         let disc = self.system.discs[ball];
         let (normal, scale) = self.system.faces[cushion as usize].normal_at(position);
         let rebound = self.cushion_law(ball, cushion, pending.time).rebound(velocity, normal, scale);
@@ -353,12 +368,19 @@ impl<S: Scalar> Discs<S> {
         observer.flight(ball, &self.flights[ball]);
     }
 
-    fn strike_ball(&mut self, ball: usize, other: usize, pending: &Pending<S>, observer: &mut impl Observer<S>) {
+    fn strike_ball(
+        &mut self,
+        ball: usize,
+        other: usize,
+        pending: &Pending<S>,
+        observer: &mut impl Observer<S>,
+    ) {
         let (a, b) = if ball < other { (ball, other) } else { (other, ball) };
         let before = [self.flights[a], self.flights[b]];
         let tracks = [self.tracks[a], self.tracks[b]];
         let start = if before[0].start > before[1].start { before[0].start } else { before[1].start };
-        let [(position_a, velocity_a), (position_b, velocity_b)] = before.map(|f| state_after(&f, start, pending.offset));
+        let [(position_a, velocity_a), (position_b, velocity_b)] =
+            before.map(|f| state_after(&f, start, pending.offset));
         let discs = [self.system.discs[a], self.system.discs[b]];
         let pair = Pair::new([&discs[0], &discs[1]], position_b - position_a, [velocity_a, velocity_b]);
         let law = self.ball_law(a, b, pending.time);
@@ -378,7 +400,12 @@ impl<S: Scalar> Discs<S> {
             self.strike_cluster(&struck, pending.time, observer);
             return;
         }
-        self.account_pair(&discs.map(|d| d.mass), [velocity_a, velocity_b], [after_a, after_b], law.energy_loss(&pair));
+        self.account_pair(
+            &discs.map(|d| d.mass),
+            [velocity_a, velocity_b],
+            [after_a, after_b],
+            law.energy_loss(&pair),
+        );
         let event = Event {
             time: pending.time,
             kind: Kind::BallBall,
@@ -470,7 +497,8 @@ impl<S: Scalar> Discs<S> {
 
     #[inline(always)]
     fn is_in_burst(&self, ball: usize, time: S) -> bool {
-        self.system.collapse_is_elastic && time - self.tracks[ball].last_contact < self.system.collapse_times[ball]
+        self.system.collapse_is_elastic
+            && time - self.tracks[ball].last_contact < self.system.collapse_times[ball]
     }
 }
 

@@ -70,7 +70,8 @@ impl<S: Scalar> Discs<S> {
         observer: &mut impl Observer<S>,
     ) {
         let flight = self.flights[ball];
-        let (position, velocity) = (flight.position_after(pending.offset), flight.velocity_after(pending.offset));
+        let (position, velocity) =
+            (flight.position_after(pending.offset), flight.velocity_after(pending.offset));
         let (normal, _) = self.system.faces[cushion as usize].normal_at(position);
         self.begin_flight(ball, pending.time, position, velocity);
         self.predict(ball, Target::Nothing);

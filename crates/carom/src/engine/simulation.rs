@@ -125,9 +125,7 @@ impl<S: Scalar> Simulation<S> {
 
     /// Lets everything up to `time` happen, if the run goes on for so long, and moves the present there.
     pub fn run_until(&mut self, time: S, observer: &mut impl Observer<S>) -> Result<(), SimulationError> {
-        while self.status.is_none() && self.discs.queue.first().1 <= time {
-            self.step(observer)?;
-        }
+        while self.advance_until(time, u64::MAX, observer)? {}
         if self.status.is_none() && self.limits.duration.is_some_and(|end| time >= end) {
             self.step(observer)?;
         }
@@ -135,6 +133,22 @@ impl<S: Scalar> Simulation<S> {
             self.time = time;
         }
         Ok(())
+    }
+
+    /// Goes on for up to `steps` steps, no further than `time`; says whether more are due up to then.
+    pub fn advance_until(
+        &mut self,
+        time: S,
+        steps: u64,
+        observer: &mut impl Observer<S>,
+    ) -> Result<bool, SimulationError> {
+        for _ in 0..steps {
+            if self.status.is_some() || self.discs.queue.first().1 > time {
+                return Ok(false);
+            }
+            self.step(observer)?;
+        }
+        Ok(true)
     }
 
     /// Ends the run here.

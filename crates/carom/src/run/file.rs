@@ -101,7 +101,7 @@ pub fn to_json(scenario: &Scenario, run: &Run<f64>) -> Result<String, RunFileErr
         digest: run.digest(),
         diagnostics: run.diagnostics.clone(),
         events: run.log.keeps_events.then(|| event_columns(&run.log.events)),
-        flights: run.log.keeps_flights.then(|| flight_columns(&run.log.flights)),
+        flights: (run.log.keeps_flights && run.steps.is_none()).then(|| flight_columns(&run.log.flights)),
         balls: run.balls.iter().map(ball_entry).collect(),
         steps: run.steps.as_ref().map(step_columns),
     };
@@ -254,12 +254,7 @@ fn numbers(flight: &Flight<f64>) -> [f64; 6] {
 }
 
 fn flight(start: f64, [x, y, vx, vy, ax, ay]: [f64; 6]) -> Flight<f64> {
-    Flight {
-        start,
-        position: Vec2::new(x, y),
-        velocity: Vec2::new(vx, vy),
-        acceleration: Vec2::new(ax, ay),
-    }
+    Flight { start, position: Vec2::new(x, y), velocity: Vec2::new(vx, vy), acceleration: Vec2::new(ax, ay) }
 }
 
 fn ball_entry((flight, track): &(Flight<f64>, Track<f64>)) -> BallEntry {

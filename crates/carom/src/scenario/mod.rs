@@ -9,9 +9,9 @@ mod parse;
 mod path;
 mod problem;
 pub mod schema;
-mod system;
 mod start;
 mod structure;
+mod system;
 mod values;
 
 pub use json_schema::json_schema;
@@ -19,5 +19,5 @@ pub use layout::Number;
 pub use path::Key;
 pub use problem::{Problem, ScenarioError};
 pub use schema::Scenario;
-pub use system::System;
 pub use start::BallStart;
+pub use system::System;
