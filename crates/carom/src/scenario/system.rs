@@ -2,11 +2,12 @@
 
 use super::layout::Number;
 use super::schema::{self, Cluster, Collapse, Scenario};
+use super::start::BallStart;
 use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::law::{ball_ball, ball_cushion};
 use crate::model::{ContactTolerance, Disc, Face, Line, Table};
-use crate::scalar::{Scalar, direction};
+use crate::scalar::Scalar;
 
 /// Everything the engine needs, with every number in `S` and every name turned into an index.
 ///
@@ -78,8 +79,11 @@ impl<S: Scalar> System<S> {
         let tolerance = ContactTolerance::new(table.size());
         let backs = backs(&faces, tolerance.of(S::ZERO));
         let field = field(&scenario.physics.flight, number);
-        let discs = discs(scenario, number);
-        let flights = flights(scenario, field, number);
+        let starts: Vec<_> = (scenario.balls.iter().enumerate())
+            .map(|(k, ball)| ball.start(k, &scenario.ball_defaults, number))
+            .collect();
+        let discs: Vec<_> = starts.iter().map(|start| Disc::new(start.radius, start.mass)).collect();
+        let flights: Vec<_> = starts.iter().map(|start| flight(start, field)).collect();
         Self {
             collapse_times: collapse_times(&discs, &flights, field, table.size()),
             collapse_is_elastic: scenario.physics.collapse == Collapse::Tc,
@@ -98,6 +102,10 @@ impl<S: Scalar> System<S> {
             tolerance,
         }
     }
+}
+
+fn flight<S: Scalar>(start: &BallStart<S>, field: Vec2<S>) -> Flight<S> {
+    Flight { start: S::ZERO, position: start.position, velocity: start.velocity, acceleration: field }
 }
 
 /// The laws of cushions: each cushion's own, or the one for all.
@@ -161,40 +169,6 @@ fn field<S: Scalar>(flight: &schema::Flight, number: Number<'_, S>) -> Vec2<S> {
             Vec2::new(x, number(&"physics.flight.acceleration[1]", *y))
         }
     }
-}
-
-fn discs<S: Scalar>(scenario: &Scenario, number: Number<'_, S>) -> Vec<Disc<S>> {
-    let default_radius = scenario.ball_defaults.radius.map(|value| number(&"ball_defaults.radius", value));
-    let default_mass = scenario.ball_defaults.mass.map(|value| number(&"ball_defaults.mass", value));
-    let disc = |(k, ball): (usize, &schema::Ball)| {
-        let radius = ball.radius.map(|value| number(&format_args!("balls[{k}].radius"), value));
-        let mass = ball.mass.map(|value| number(&format_args!("balls[{k}].mass"), value));
-        Disc::new(radius.or(default_radius).unwrap_or(S::ZERO), mass.or(default_mass).unwrap_or(S::ONE))
-    };
-    scenario.balls.iter().enumerate().map(disc).collect()
-}
-
-fn flights<S: Scalar>(scenario: &Scenario, field: Vec2<S>, number: Number<'_, S>) -> Vec<Flight<S>> {
-    let flight = |(k, ball): (usize, &schema::Ball)| {
-        let mut vector = |name: &str, [x, y]: [f64; 2]| {
-            let x = number(&format_args!("balls[{k}].{name}[0]"), x);
-            Vec2::new(x, number(&format_args!("balls[{k}].{name}[1]"), y))
-        };
-        let position = vector("position", ball.position);
-        let velocity = match (ball.velocity, ball.speed) {
-            (Some(velocity), _) => vector("velocity", velocity),
-            (None, Some(speed)) => {
-                let speed = number(&format_args!("balls[{k}].speed"), speed);
-                let degrees =
-                    number(&format_args!("balls[{k}].direction_deg"), ball.direction_deg.unwrap_or(0.0));
-                let (x, y) = direction(degrees);
-                Vec2::new(x, y) * speed
-            }
-            (None, None) => Vec2::ZERO,
-        };
-        Flight { start: S::ZERO, position, velocity, acceleration: field }
-    };
-    scenario.balls.iter().enumerate().map(flight).collect()
 }
 
 fn faces<S: Scalar>(table: &Table<S>) -> Vec<Face<S>> {
