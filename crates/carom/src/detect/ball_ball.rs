@@ -17,6 +17,17 @@ struct Relative<S> {
 
 impl<S: Scalar> Relative<S> {
     #[inline(always)]
+    fn straight(a: &Flight<S>, b: &Flight<S>) -> Self {
+        let start = if a.start > b.start { a.start } else { b.start };
+        let (after_a, after_b) = (start - a.start, start - b.start);
+        Self {
+            position: (b.position + b.velocity * after_b) - (a.position + a.velocity * after_a),
+            velocity: b.velocity - a.velocity,
+            speeds: [a.velocity, b.velocity],
+        }
+    }
+
+    #[inline(always)]
     fn new(a: &Flight<S>, b: &Flight<S>) -> Self {
         let start = if a.start > b.start { a.start } else { b.start };
         let (after_a, after_b) = (start - a.start, start - b.start);
@@ -31,20 +42,21 @@ impl<S: Scalar> Relative<S> {
 
 /// The offset, from the later start of the two flights, at which two balls meet; `None` when they never do.
 ///
-/// `radii` is the sum of the radii, which must be positive. Notes contact and overlap at the start in `seen`.
+/// `radii` is the sum of the radii, which must be positive. Notes contact and overlap at the start in `seen`. With
+/// `STRAIGHT` both flights must be straight; the answer is the same, but quicker.
 #[inline(always)]
-pub fn detect_ball_ball<S: Scalar>(
+pub fn detect_ball_ball<const STRAIGHT: bool, S: Scalar>(
     a: &Flight<S>,
     b: &Flight<S>,
     radii: S,
     tolerance: &ContactTolerance<S>,
     seen: &mut Surroundings<S>,
 ) -> Option<S> {
-    let relative = Relative::new(a, b);
+    let relative = if STRAIGHT { Relative::straight(a, b) } else { Relative::new(a, b) };
     // The squared gap, whose contact tolerance is (r + δ)² − r², to first order 2 r δ.
     let gap = relative.position.norm_squared() - radii.squared();
     let tolerance = S::from_f64(2.0) * radii * tolerance.of(radii);
-    if gap <= tolerance || a.acceleration != b.acceleration {
+    if gap <= tolerance || (!STRAIGHT && a.acceleration != b.acceleration) {
         return detect_near(a, b, &relative, [gap, radii], tolerance, seen);
     }
     let slope = relative.position.dot(relative.velocity);

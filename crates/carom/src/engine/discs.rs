@@ -146,8 +146,12 @@ impl<S: Scalar> Discs<S> {
     pub(super) fn predict(&mut self, ball: usize, struck: Target) -> Surroundings<S> {
         let mut seen = [Surroundings::CLEAR; 2];
         let next = self.next_cushion(ball, struck, &mut seen);
-        let next = self.next_ball(ball, struck, next, &mut seen);
-        let next = if self.tracks[ball].is_held() { self.earlier_release(ball, next) } else { next };
+        let next = if self.has_field {
+            let next = self.next_ball::<false>(ball, struck, next, &mut seen);
+            if self.tracks[ball].is_held() { self.earlier_release(ball, next) } else { next }
+        } else {
+            self.next_ball::<true>(ball, struck, next, &mut seen)
+        };
         self.pending[ball] = next;
         self.queue.set(ball, next.time);
         self.diagnostics.predictions += 1;
@@ -177,6 +181,7 @@ impl<S: Scalar> Discs<S> {
     }
 
     /// The same for a ball in a field, where a cushion may hold it, or on a table with thin walls.
+    #[inline(never)]
     fn next_cushion_in_field(
         &self,
         ball: usize,
@@ -203,7 +208,7 @@ impl<S: Scalar> Discs<S> {
 
     /// The first ball that a ball meets, if it does so before its event `next`.
     #[inline(always)]
-    fn next_ball(
+    fn next_ball<const STRAIGHT: bool>(
         &self,
         ball: usize,
         struck: Target,
@@ -221,7 +226,9 @@ impl<S: Scalar> Discs<S> {
                 continue;
             }
             let note = &mut seen[usize::from(other == struck)];
-            if let Some(offset) = detect_ball_ball(flight, their, radii, &system.tolerance, note) {
+            if let Some(offset) =
+                detect_ball_ball::<STRAIGHT, S>(flight, their, radii, &system.tolerance, note)
+            {
                 let start = if flight.start > their.start { flight.start } else { their.start };
                 if start + offset < next.time {
                     let target = Target::Ball(other as u32, self.tracks[other].changes);
