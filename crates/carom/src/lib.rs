@@ -1,4 +1,5 @@
 //! How balls move on a table: exact, fast, and the same everywhere.
 
 pub mod geometry;
+pub mod roots;
 pub mod scalar;
