@@ -45,7 +45,8 @@ pub(super) fn check_cushion_ids(written: &Table, table: &model::Table<f64>, find
             let place = written.place_of(number, Some(piece));
             let known = seen.get(cushion.id.as_str());
             if let Some(first) = known.filter(|_| findings.is_sound(written.place_of(number, None))) {
-                findings.add(place, format!("its id {:?} is that of {first} already", cushion.id));
+                findings
+                    .add(place, format!("its id {:?} is the id of a cushion of {first} already", cushion.id));
             } else {
                 seen.insert(&cushion.id, place);
             }

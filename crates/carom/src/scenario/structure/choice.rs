@@ -72,7 +72,7 @@ fn choose_tagged<'a>(value: &Value, all: &[&'a Value], tag: &'a str) -> Result<&
 fn choose_word<'a>(value: &Value, all: &[&'a Value]) -> Result<&'a Value, Mismatch<'a>> {
     let words: Vec<&str> = all.iter().filter_map(|schema| word_of(schema)).collect();
     let chosen = words.iter().position(|known| value == known).and_then(|index| all.get(index));
-    chosen.copied().ok_or_else(|| Mismatch::here(not_a_word(value, "word", &words)))
+    chosen.copied().ok_or_else(|| Mismatch::here(not_a_word(value, "value", &words)))
 }
 
 fn word_of(schema: &Value) -> Option<&str> {
