@@ -209,6 +209,11 @@ fn a_run_without_duration_must_come_to_rest() {
     assert_eq!(broken("duration = 5.0", "collisions = 3"), [""; 0]);
     let no_duration = MIDTERM.replace("duration = 5.0", "");
     assert_eq!(problems(&no_duration.replace("velocity = [3.0, 4.0]", "")), [""; 0], "nothing moves");
+    assert_eq!(
+        problems(&no_duration.replace("factor = 0.8", "factor = 0")),
+        [""; 0],
+        "cushions that stop what hits them"
+    );
     let field = "[physics.flight]\nlaw = 'field'\nacceleration = [0, -1]\n[physics.ball_ball]";
     let in_field = no_duration.replace("[physics.ball_ball]", field);
     assert_eq!(problems(&in_field), [""; 0], "a field pulls onto damping cushions");

@@ -3,6 +3,7 @@
 
 use carom::geometry::{Piece, Vec2};
 use carom::model::{OutlineKind, Table};
+use carom::scalar::{Dual, Scalar};
 use carom::scenario::Scenario;
 use core::fmt::Display;
 
@@ -146,4 +147,29 @@ fn speed_and_direction_make_a_velocity() {
     let start = scenario.balls[0].start(0, &scenario.ball_defaults, &mut |_: &dyn Display, value: f64| value);
     assert_eq!((start.mass, start.radius), (3.0, 0.1));
     assert!(start.velocity.x.abs() == 0.0 && start.velocity.y == 2.0);
+}
+
+#[test]
+fn one_number_can_enter_as_the_variable_of_a_derivative() {
+    let scenario = Scenario::from_toml(include_str!("../../../scenarios/midterm.toml")).unwrap();
+    let variable = scenario.place("ball_defaults.radius").unwrap();
+    let mut number = |place: &dyn Display, value: f64| {
+        if place.to_string() == variable { Dual::<1>::variable(value, 0) } else { Dual::from_f64(value) }
+    };
+    for (index, ball) in scenario.balls.iter().enumerate() {
+        let start = ball.start(index, &scenario.ball_defaults, &mut number);
+        assert_eq!(
+            (start.radius.value, start.radius.derivatives),
+            (0.075, [1.0]),
+            "both balls share the default"
+        );
+        assert_eq!(start.position.x.derivatives, [0.0]);
+    }
+    let width = |place: &dyn Display, value: f64| {
+        if place.to_string() == "table.width" { Dual::<1>::variable(value, 0) } else { Dual::from_f64(value) }
+    };
+    let table = scenario.table.layout(&mut { width });
+    let right = table.cushions().find(|cushion| cushion.id == "right").unwrap();
+    assert_eq!(right.piece.start().x.derivatives, [1.0]);
+    assert_eq!((table.size().value, table.bounds.max.x.derivatives), (2.0, [1.0]));
 }
