@@ -11,6 +11,7 @@ mod problem;
 pub mod schema;
 mod start;
 mod structure;
+mod system;
 mod values;
 
 pub use json_schema::json_schema;
@@ -19,3 +20,4 @@ pub use path::Key;
 pub use problem::{Problem, ScenarioError};
 pub use schema::Scenario;
 pub use start::BallStart;
+pub use system::System;
