@@ -184,7 +184,7 @@ fn very_many_overlaps_are_not_all_listed() {
 }
 
 #[test]
-fn laws_belong_to_cushions_that_exist() {
+fn laws_belong_to_cushions_and_corners_that_exist() {
     let with = |id: &str| {
         broken("[ball_defaults]", &format!("[physics.cushions.{id}]\nlaw = 'elastic'\n[ball_defaults]"))
     };
@@ -192,8 +192,16 @@ fn laws_belong_to_cushions_that_exist() {
     assert_eq!(
         with("lef"),
         [
-            "physics.cushions.lef: the table has no such cushion; did you mean left? known: bottom, right, top, left"
+            "physics.cushions.lef: the table has no such cushion or corner; did you mean left? known: bottom, right, top, left"
         ]
+    );
+    let wall = MIDTERM
+        .replace("length = 2.0", "length = 2.0\nobstacles = [{ id = 'w', wall = [[0.2, 1.5], [0.8, 1.5]] }]");
+    let law = "[physics.cushions.\"w.a/w.b\"]\nlaw = 'elastic'\n[ball_defaults]";
+    assert_eq!(
+        problems(&wall.replace("[ball_defaults]", law)),
+        [""; 0],
+        "a corner may have a law of its own"
     );
 }
 
