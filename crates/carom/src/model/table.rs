@@ -95,11 +95,6 @@ impl<S: Scalar> Table<S> {
         self.bounds.size()
     }
 
-    /// The distance within which two things count as touching, where `radii` is the sum of the radii of both.
-    pub fn contact_tolerance(&self, radii: S) -> S {
-        radii * S::from_f64(1e-10) + self.size() * S::from_f64(1e-13)
-    }
-
     /// All cushions: those of the boundary, then those of each obstacle.
     pub fn cushions(&self) -> impl Iterator<Item = &Cushion<S>> {
         self.outlines.iter().flat_map(|outline| &outline.cushions)

@@ -24,8 +24,10 @@ const ALIKE: f64 = 0.5;
 /// The known word that was probably meant.
 pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     let called_here = CALLED_HERE.iter().find(|(foreign, _)| *foreign == word).map(|(_, here)| *here);
-    if let Some(here) = known.iter().find(|candidate| Some(**candidate) == called_here) {
-        return Some(here);
+    let is_meant =
+        |candidate: &&&str| Some(**candidate) == called_here || candidate.strip_suffix("_deg") == Some(word);
+    if let Some(meant) = known.iter().find(is_meant) {
+        return Some(meant);
     }
     let mut best = None;
     let mut likeness = ALIKE;
@@ -61,6 +63,7 @@ mod tests {
         assert_eq!(nearest("direction", &known), Some("direction_deg"));
         assert_eq!(nearest("phi", &known), Some("direction_deg"));
         assert_eq!(nearest("phi", &["position"]), None);
+        assert_eq!(nearest("from", &["radius", "from_deg", "to_deg"]), Some("from_deg"));
         assert_eq!(nearest("zzz", &known), None);
     }
 

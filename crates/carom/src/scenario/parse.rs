@@ -45,18 +45,20 @@ impl Scenario {
 
     /// Checks a scenario that was put together in a program.
     pub fn check(&self) -> Result<(), ScenarioError> {
-        let table = toml::Table::try_from(self).map_err(|error| Problem::new("scenario", error))?;
-        Self::from_value(&json_of_table(table)).map(|_| ())
+        Self::from_value(&self.to_value()?).map(|_| ())
     }
 
     /// The scenario as a JSON value; what is absent or has its default is left out.
     pub fn to_value(&self) -> Result<Value, ScenarioError> {
-        serde_json::to_value(self).map_err(|error| Problem::new("scenario", error).into())
+        // By way of TOML, which knows nan and inf, so that none of them is lost before a check.
+        let table = toml::Table::try_from(self).map_err(|error| Problem::new("scenario", error))?;
+        Ok(json_of_table(table))
     }
 
     /// The scenario as JSON text; reading it gives the same scenario, bit for bit.
     pub fn to_json(&self) -> Result<String, ScenarioError> {
-        serde_json::to_string_pretty(self).map_err(|error| Problem::new("scenario", error).into())
+        serde_json::to_string_pretty(&self.to_value()?)
+            .map_err(|error| Problem::new("scenario", error).into())
     }
 
     /// The scenario as TOML text; reading it gives the same scenario, bit for bit.

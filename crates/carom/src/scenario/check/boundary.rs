@@ -1,7 +1,7 @@
 //! The boundary and the obstacles: closed, rightly turned, not crossing, and one inside the other as they should.
 
 use super::{Findings, Rounded};
-use crate::geometry::{MeetingKind, Piece, Vec2, meetings, signed_area, signed_distance};
+use crate::geometry::{Bounds, Meeting, MeetingKind, Piece, Vec2, meetings, signed_area, signed_distance};
 use crate::model::{self, Cushion, JOINT_TOLERANCE, Outline, OutlineKind};
 use crate::scenario::schema::Table;
 
@@ -50,8 +50,7 @@ fn check_pieces(
     place: &dyn Fn(Option<usize>) -> String,
     findings: &mut Findings,
 ) {
-    let faces = if outline.kind == OutlineKind::Wall { 1 } else { outline.cushions.len() };
-    for (index, Cushion { piece, .. }) in outline.cushions[..faces].iter().enumerate() {
+    for (index, Cushion { piece, .. }) in outline.cushions[..faces(outline)].iter().enumerate() {
         let sweep = if let Piece::Arc(arc) = piece { arc.sweep_deg } else { 0.0 };
         if sweep > 360.0 * (1.0 + 1e-12) {
             findings
@@ -113,46 +112,65 @@ struct Standing<'a> {
     outline: usize,
     index: usize,
     cushion: &'a Cushion<f64>,
+    bounds: Bounds<f64>,
+}
+
+/// All cushions, of walls only one side, in order of their leftmost points.
+fn standing(table: &model::Table<f64>) -> Vec<Standing<'_>> {
+    let mut all = Vec::new();
+    for (outline, chain) in table.outlines.iter().enumerate() {
+        for (index, cushion) in chain.cushions[..faces(chain)].iter().enumerate() {
+            let bounds = Bounds::around(core::iter::once(&cushion.piece));
+            all.push(Standing { outline, index, cushion, bounds });
+        }
+    }
+    all.sort_by(|a, b| a.bounds.min.x.total_cmp(&b.bounds.min.x));
+    all
+}
+
+/// How many cushions of an outline are drawn: those of a wall lie upon each other.
+fn faces(outline: &Outline<f64>) -> usize {
+    if outline.kind == OutlineKind::Wall { 1 } else { outline.cushions.len() }
 }
 
 fn check_crossings(written: &Table, table: &model::Table<f64>, findings: &mut Findings) {
-    let outlines = table.outlines.iter().enumerate();
-    let all: Vec<Standing<'_>> = outlines
-        .flat_map(|(outline, cushions)| {
-            let cushions = cushions.cushions.iter().enumerate();
-            cushions.map(move |(index, cushion)| Standing { outline, index, cushion })
-        })
-        .collect();
-    for (number, second) in all.iter().enumerate() {
-        for first in &all[..number] {
+    let all = standing(table);
+    let tolerance = table.size() * JOINT_TOLERANCE;
+    let mut problems = Vec::new();
+    for (number, left) in all.iter().enumerate() {
+        let reach = left.bounds.max.x + tolerance;
+        for right in all[number + 1..].iter().take_while(|right| right.bounds.min.x <= reach) {
+            let in_order = (left.outline, left.index) < (right.outline, right.index);
+            let (first, second) = if in_order { (left, right) } else { (right, left) };
             if let Some(message) = crossing(first, second, table) {
-                findings.add(written.place_of(second.outline, Some(second.index)), message);
+                problems.push((second.outline, second.index, message));
             }
         }
     }
+    problems.sort();
+    for (outline, index, message) in problems {
+        findings.add(written.place_of(outline, Some(index)), message);
+    }
 }
 
-/// What is wrong with the way two cushions meet.
+/// What is wrong with the way two cushions meet, the first before the second in the order of the table.
 fn crossing(first: &Standing<'_>, second: &Standing<'_>, table: &model::Table<f64>) -> Option<String> {
-    let tolerance = table.size() * JOINT_TOLERANCE;
-    let outline = &table.outlines[first.outline];
+    let (outline, other) = (&table.outlines[first.outline], &table.outlines[second.outline]);
     let same_outline = first.outline == second.outline;
-    if same_outline && outline.kind == OutlineKind::Wall {
-        return None;
-    }
+    let has_wall = outline.kind == OutlineKind::Wall || other.kind == OutlineKind::Wall;
     let joints = if same_outline { common_joints(outline, first.index, second.index) } else { Vec::new() };
     let is_joint = |point: Vec2<f64>| {
         joints.iter().any(|joint| (*joint - point).norm() <= table.size() * JOINT_ENVIRONMENT)
     };
+    let is_wrong = |meeting: &Meeting| match meeting.kind {
+        MeetingKind::Cross => !is_joint(meeting.point),
+        MeetingKind::Along => true,
+        MeetingKind::Against => same_outline || has_wall,
+        MeetingKind::Touch => same_outline && !is_joint(meeting.point),
+    };
+    let tolerance = table.size() * JOINT_TOLERANCE;
     let wrong =
-        meetings(&first.cushion.piece, &second.cushion.piece, tolerance).into_iter().find(|meeting| {
-            match meeting.kind {
-                MeetingKind::Cross => !is_joint(meeting.point),
-                MeetingKind::Along => true,
-                MeetingKind::Against => same_outline,
-                MeetingKind::Touch => same_outline && !is_joint(meeting.point),
-            }
-        })?;
+        meetings(&first.cushion.piece, &second.cushion.piece, tolerance).into_iter().find(is_wrong)?;
     let verb = match wrong.kind {
         MeetingKind::Cross => "crosses",
         MeetingKind::Touch => "touches",

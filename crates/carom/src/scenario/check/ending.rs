@@ -3,7 +3,7 @@
 use super::{Draft, Findings};
 use crate::geometry::{Piece, Vec2};
 use crate::model::Table;
-use crate::scenario::schema::{BallCushion, Flight, Physics};
+use crate::scenario::schema::{Ball, Flight, Physics};
 
 /// Notes a missing duration where not everything comes to rest.
 pub(super) fn check_ending(draft: &Draft<'_>, table: Option<&Table<f64>>, findings: &mut Findings) {
@@ -31,7 +31,11 @@ fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
             format!("cushion {id:?}, onto which the field pulls, gives all the normal speed back")
         });
     }
-    let is_moving = |(index, ball): &(usize, &crate::scenario::schema::Ball)| {
+    let is_dead = |id: &str| draft.physics.law_of_cushion(id).factors() == [0.0, 0.0];
+    if table.cushions().all(|cushion| is_dead(&cushion.id)) {
+        return None;
+    }
+    let is_moving = |(index, ball): &(usize, &Ball)| {
         ball.start(*index, draft.ball_defaults, &mut |_, value| value).velocity != Vec2::ZERO
     };
     let (_, ball) = draft.balls().find(is_moving)?;
@@ -44,11 +48,7 @@ fn elastic_floor<'a>(physics: &Physics, table: &'a Table<f64>, field: Vec2<f64>)
         let facing = |point| piece.direction_at(point).left();
         [piece.start(), piece.middle(), piece.end()].into_iter().any(|point| facing(point).dot(field) < 0.0)
     };
-    let is_elastic = |id: &str| match physics.law_of_cushion(id) {
-        BallCushion::Elastic => true,
-        BallCushion::Restitution { normal, .. } => *normal == 1.0,
-        BallCushion::Damping { factor } => *factor == 1.0,
-    };
+    let is_elastic = |id: &str| physics.law_of_cushion(id).factors()[0] == 1.0;
     table
         .cushions()
         .find(|cushion| pulled_onto(&cushion.piece) && is_elastic(&cushion.id))

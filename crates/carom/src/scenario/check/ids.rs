@@ -1,7 +1,7 @@
 //! Names of balls, cushions and obstacles.
 
 use super::Findings;
-use crate::model;
+use crate::model::{self, Cushion};
 use crate::scenario::schema::{Obstacle, Piece, Table};
 use core::fmt::Display;
 use std::collections::BTreeMap;
@@ -20,34 +20,42 @@ pub(super) fn check_id(place: &dyn Display, id: &str, findings: &mut Findings) {
 
 /// Notes ids of cushions and obstacles that are unusable or given twice.
 pub(super) fn check_cushion_ids(written: &Table, table: &model::Table<f64>, findings: &mut Findings) {
-    let mut seen: BTreeMap<&str, String> = BTreeMap::new();
     for (place, id) in given_ids(written) {
         check_id(&place, id, findings);
         if id.contains('/') {
-            findings.add(
-                place,
-                format!("{id:?} must not contain /, which joins the names of two cushions at a corner"),
-            );
+            let why = "which joins the names of two cushions at a corner";
+            findings.add(place, format!("{id:?} must not contain /, {why}"));
         }
     }
-    let mut obstacles: BTreeMap<String, usize> = BTreeMap::new();
+    check_obstacles_differ(written, findings);
+    check_cushions_differ(written, table, findings);
+}
+
+fn check_obstacles_differ(written: &Table, findings: &mut Findings) {
+    let mut seen: BTreeMap<String, usize> = BTreeMap::new();
     for (index, obstacle) in written.obstacles().iter().enumerate() {
         let id = obstacle.id_or_default(index);
-        if let Some(first) = obstacles.get(&id) {
+        if let Some(first) = seen.get(&id) {
             let place = format!("table.obstacles[{index}].id");
             findings.add(place, format!("{id:?} is the id of table.obstacles[{first}] already"));
         } else {
-            obstacles.insert(id, index);
+            seen.insert(id, index);
         }
     }
-    for (outline, number) in table.outlines.iter().zip(0..) {
-        for (piece, cushion) in outline.cushions.iter().enumerate() {
-            let place = written.place_of(number, Some(piece));
-            let known = seen.get(cushion.id.as_str());
-            if let Some(first) = known.filter(|_| findings.is_sound(written.place_of(number, None))) {
-                findings.add(place, format!("its id {:?} is that of {first} already", cushion.id));
+}
+
+fn check_cushions_differ(written: &Table, table: &model::Table<f64>, findings: &mut Findings) {
+    let mut seen: BTreeMap<&str, String> = BTreeMap::new();
+    for (number, outline) in table.outlines.iter().enumerate() {
+        if !findings.is_sound(written.place_of(number, None)) {
+            continue;
+        }
+        for (index, Cushion { id, .. }) in outline.cushions.iter().enumerate() {
+            let place = written.place_of(number, Some(index));
+            if let Some(first) = seen.get(id.as_str()) {
+                findings.add(place, format!("its id {id:?} is the id of a cushion of {first} already"));
             } else {
-                seen.insert(&cushion.id, place);
+                seen.insert(id, place);
             }
         }
     }

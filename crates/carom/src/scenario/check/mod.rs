@@ -66,7 +66,7 @@ pub(crate) fn check(draft: &Draft<'_>, findings: &mut Findings) {
     }
 }
 
-/// A length in a message: four digits are enough to find what is meant.
+/// A number in a message: four digits are enough to find what is meant.
 struct Rounded(f64);
 
 impl fmt::Display for Rounded {

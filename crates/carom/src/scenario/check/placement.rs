@@ -2,7 +2,7 @@
 
 use super::{Draft, Findings, Rounded};
 use crate::geometry::{Piece, Vec2, signed_distance};
-use crate::model::{Outline, OutlineKind, Table};
+use crate::model::{ContactTolerance, Outline, OutlineKind, Table};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// So many overlapping pairs are named, and no more sought.
@@ -19,6 +19,7 @@ struct Disc<'a> {
 /// Notes balls outside the table or in an obstacle, and balls that overlap.
 pub(super) fn check_placement(draft: &Draft<'_>, table: &Table<f64>, findings: &mut Findings) {
     let discs = discs(draft, findings);
+    let tolerance = ContactTolerance::new(table.size());
     let outlines: Vec<(&Outline<f64>, Vec<Piece<f64>>)> = table
         .outlines
         .iter()
@@ -26,12 +27,12 @@ pub(super) fn check_placement(draft: &Draft<'_>, table: &Table<f64>, findings: &
         .collect();
     for disc in &discs {
         for (outline, pieces) in &outlines {
-            if let Some(message) = intrusion(disc, outline, pieces, table) {
+            if let Some(message) = intrusion(disc, outline, pieces, tolerance) {
                 findings.add(format_args!("balls[{}].position", disc.index), message);
             }
         }
     }
-    check_overlaps(&discs, table, findings);
+    check_overlaps(&discs, tolerance, findings);
 }
 
 /// The balls whose place and radius are sound.
@@ -54,9 +55,9 @@ fn intrusion(
     disc: &Disc<'_>,
     outline: &Outline<f64>,
     pieces: &[Piece<f64>],
-    table: &Table<f64>,
+    tolerance: ContactTolerance<f64>,
 ) -> Option<String> {
-    let tolerance = table.contact_tolerance(disc.radius);
+    let tolerance = tolerance.of(disc.radius);
     if outline.kind != OutlineKind::Wall && signed_distance(pieces, disc.center) < -tolerance {
         return Some(match outline.kind {
             OutlineKind::Boundary => format!("ball {:?} lies outside the table", disc.id),
@@ -74,7 +75,7 @@ fn intrusion(
 }
 
 /// Notes pairs of balls that overlap, sought among neighbours in a grid of cells as wide as the largest ball.
-fn check_overlaps(discs: &[Disc<'_>], table: &Table<f64>, findings: &mut Findings) {
+fn check_overlaps(discs: &[Disc<'_>], tolerance: ContactTolerance<f64>, findings: &mut Findings) {
     let largest = discs.iter().fold(0.0, |most, disc| if disc.radius > most { disc.radius } else { most });
     let width = 2.0 * largest;
     if width <= 0.0 {
@@ -86,7 +87,7 @@ fn check_overlaps(discs: &[Disc<'_>], table: &Table<f64>, findings: &mut Finding
     for disc in discs {
         let own = cell(disc.center);
         for other in neighbours(own).iter().filter_map(|key| cells.get(key)).flatten() {
-            let Some(depth) = overlap(other, disc, table) else { continue };
+            let Some(depth) = overlap(other, disc, tolerance) else { continue };
             let message = format!("ball {:?} overlaps ball {:?} by {}", disc.id, other.id, Rounded(depth));
             findings.add(format_args!("balls[{}].position", disc.index), message);
             found += 1;
@@ -106,8 +107,8 @@ fn neighbours([column, row]: [f64; 2]) -> BTreeSet<[i64; 2]> {
 }
 
 /// How deep two balls overlap, where it is more than contact; two points never do.
-fn overlap(a: &Disc<'_>, b: &Disc<'_>, table: &Table<f64>) -> Option<f64> {
+fn overlap(a: &Disc<'_>, b: &Disc<'_>, tolerance: ContactTolerance<f64>) -> Option<f64> {
     let radii = a.radius + b.radius;
     let depth = radii - (a.center - b.center).norm();
-    (radii > 0.0 && depth > table.contact_tolerance(radii)).then_some(depth)
+    (radii > 0.0 && depth > tolerance.of(radii)).then_some(depth)
 }

@@ -1,6 +1,6 @@
 //! What the stepped method asks of a scenario.
 
-use super::{Draft, Findings};
+use super::{Draft, Findings, Rounded};
 use crate::scenario::schema::{BallBall, Flight, Table};
 
 /// Beyond this many steps the time no longer grows by a whole step.
@@ -18,7 +18,8 @@ pub(super) fn check_stepped(draft: &Draft<'_>, dt: f64, steps: Option<u64>, find
             findings.add("duration", "missing: the stepped method needs duration or method.steps")
         }
         (Some(duration), None) if duration / dt > MOST_STEPS => {
-            findings.add("method.dt", format!("is too short: {:e} steps to the duration", duration / dt));
+            findings
+                .add("method.dt", format!("is too short: {} steps to the duration", Rounded(duration / dt)));
         }
         _ => {}
     }

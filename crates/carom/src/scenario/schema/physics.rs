@@ -18,7 +18,8 @@ pub struct Physics {
     /// What happens when a ball meets a cushion; absent: elastic.
     #[serde(default, skip_serializing_if = "is_default")]
     pub ball_cushion: BallCushion,
-    /// Laws of single cushions, by the cushion's id, in place of `ball_cushion`.
+    /// Laws of single cushions and corners, by their ids, in place of `ball_cushion`. A corner without one has the law of
+    /// the first of its two cushions.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub cushions: BTreeMap<String, BallCushion>,
     /// How contacts at one instant are resolved; absent: reflections.
@@ -78,7 +79,7 @@ pub enum BallCushion {
         #[schemars(range(min = 0.0, max = 1.0))]
         normal: f64,
         /// Speed along the cushion after over before, from 0 to 1; absent: 1.
-        #[serde(default = "one", skip_serializing_if = "is_one")]
+        #[serde(default = "one")]
         #[schemars(range(min = 0.0, max = 1.0))]
         tangential: f64,
     },
@@ -88,6 +89,17 @@ pub enum BallCushion {
         #[schemars(range(min = 0.0, max = 1.0))]
         factor: f64,
     },
+}
+
+impl BallCushion {
+    /// The factors of the normal and of the tangential part of the velocity.
+    pub fn factors(&self) -> [f64; 2] {
+        match *self {
+            BallCushion::Elastic => [1.0, 1.0],
+            BallCushion::Restitution { normal, tangential } => [normal, tangential],
+            BallCushion::Damping { factor } => [factor, factor],
+        }
+    }
 }
 
 /// How contacts at one instant are resolved.
@@ -114,8 +126,4 @@ pub enum Collapse {
 
 fn one() -> f64 {
     1.0
-}
-
-fn is_one(value: &f64) -> bool {
-    *value == 1.0
 }

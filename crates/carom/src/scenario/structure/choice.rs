@@ -3,9 +3,9 @@
 //! The scenario's schema has three kinds: one of some words; sets of keys told apart by the word under one key (a tag),
 //! or by which key they have; and values of different types.
 
-use super::super::nearest::suggestion;
 use super::words::{describe, has_type, short};
 use super::{keys_of, property, resolve};
+use crate::scenario::nearest::{nearest, suggestion};
 use serde_json::Value;
 
 /// Why a value fits none of the alternatives.
@@ -72,7 +72,7 @@ fn choose_tagged<'a>(value: &Value, all: &[&'a Value], tag: &'a str) -> Result<&
 fn choose_word<'a>(value: &Value, all: &[&'a Value]) -> Result<&'a Value, Mismatch<'a>> {
     let words: Vec<&str> = all.iter().filter_map(|schema| word_of(schema)).collect();
     let chosen = words.iter().position(|known| value == known).and_then(|index| all.get(index));
-    chosen.copied().ok_or_else(|| Mismatch::here(not_a_word(value, "word", &words)))
+    chosen.copied().ok_or_else(|| Mismatch::here(not_a_word(value, "value", &words)))
 }
 
 fn word_of(schema: &Value) -> Option<&str> {
@@ -88,26 +88,25 @@ fn not_a_word(value: &Value, what: &str, words: &[&str]) -> String {
 
 /// The alternative whose first required key the value has.
 fn choose_by_key<'a>(value: &Value, all: &[&'a Value]) -> Result<&'a Value, Mismatch<'a>> {
-    let key = |schema: &&'a Value| schema.get("required").and_then(|keys| keys.get(0)?.as_str());
-    let present: Vec<&&Value> =
-        all.iter().filter(|schema| key(schema).is_some_and(|key| value.get(key).is_some())).collect();
-    let named = |schemas: &[&&'a Value]| schemas.iter().filter_map(|schema| key(schema)).collect::<Vec<_>>();
+    let key_of = |schema: &'a Value| schema.get("required")?.get(0)?.as_str();
+    let known: Vec<(&str, &Value)> =
+        all.iter().filter_map(|schema| Some((key_of(schema)?, *schema))).collect();
+    let present: Vec<_> = known.iter().filter(|(key, _)| value.get(key).is_some()).collect();
+    let names = |some: &[&(&'a str, &Value)]| some.iter().map(|(key, _)| *key).collect::<Vec<_>>();
     match present.as_slice() {
-        [only] => Ok(**only),
-        [] => {
-            let known = named(&all.iter().collect::<Vec<_>>());
-            let near = value.as_object().into_iter().flatten().find_map(|(given, _)| {
-                let near = super::super::nearest::nearest(given, &known)?;
-                Some(format!("; did you mean {near} instead of {given}?"))
-            });
-            Err(Mismatch::here(format!(
-                "needs one of the keys {}{}",
-                known.join(", "),
-                near.unwrap_or_default()
-            )))
-        }
+        [(_, only)] => Ok(only),
+        [] => Err(Mismatch::here(needs_one_of(value, &names(&known.iter().collect::<Vec<_>>())))),
         several => {
-            Err(Mismatch::here(format!("has {}: give only one of them", named(several).join(" and "))))
+            Err(Mismatch::here(format!("has {}: give only one of them", names(several).join(" and "))))
         }
     }
+}
+
+fn needs_one_of(value: &Value, known: &[&str]) -> String {
+    let mut message = format!("needs one of the keys {}", known.join(", "));
+    let given = value.as_object().into_iter().flat_map(|keys| keys.keys());
+    if let Some((given, near)) = given.filter_map(|given| Some((given, nearest(given, known)?))).next() {
+        message += &format!("; did you mean {near} instead of {given}?");
+    }
+    message
 }

@@ -9,7 +9,7 @@ mod words;
 
 use super::json_schema::json_schema;
 use super::nearest::suggestion;
-use super::path::Place;
+use super::path::{Place, Step, step_into};
 use super::problem::Findings;
 use choice::{alternatives, choose};
 use serde_json::{Map, Value};
@@ -24,15 +24,15 @@ pub(crate) fn check_structure(value: &Value, findings: &mut Findings) -> Value {
 }
 
 /// The keys that the schema knows at the place that `steps` lead to inside `value`.
-pub(crate) fn known_keys(value: &Value, steps: &[super::path::Step]) -> Vec<&'static str> {
+pub(crate) fn known_keys(value: &Value, steps: &[Step]) -> Vec<&'static str> {
     let mut schema = resolve(json_schema());
     let mut value = value;
     for step in steps {
         let Ok(chosen) = narrow(value, schema) else { return Vec::new() };
-        let Some((step, inner)) = super::path::step_into(value, step) else { return Vec::new() };
+        let Some((step, inner)) = step_into(value, step) else { return Vec::new() };
         let next = match step {
-            super::path::Step::Key(key) => property(chosen, &key),
-            super::path::Step::Index(_) => chosen.get("items"),
+            Step::Key(key) => property(chosen, &key),
+            Step::Index(_) => chosen.get("items"),
         };
         let Some(next) = next else { return Vec::new() };
         (schema, value) = (resolve(next), inner);

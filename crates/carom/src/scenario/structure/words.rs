@@ -65,14 +65,14 @@ pub(super) fn range_problem(value: &Value, schema: &Value) -> Option<String> {
     if inside {
         return None;
     }
-    let finite = if has_type(schema, "number") { " and finite" } else { "" };
+    let real = has_type(schema, "number");
     let range = match (least, above, most) {
-        (Some(least), _, Some(most)) => format!("between {least} and {most}"),
-        (Some(0.0), ..) => format!("zero or positive{finite}"),
+        (Some(least), _, Some(most)) if real => format!("between {least} and {most}"),
+        (.., Some(most)) if number > most => format!("at most {most}"),
+        (Some(0.0), ..) if real => "zero or positive and finite".into(),
+        (Some(0.0), ..) => "zero or positive".into(),
         (Some(least), ..) => format!("at least {least}"),
-        (_, Some(0.0), _) => format!("positive{finite}"),
-        (_, Some(above), _) => format!("more than {above}"),
-        (.., most) => format!("at most {}", most.unwrap_or(f64::INFINITY)),
+        _ => "positive and finite".into(),
     };
     Some(format!("must be {range}, got {value}"))
 }
