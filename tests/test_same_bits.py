@@ -118,7 +118,10 @@ def test_ready_made_scenario_has_the_same_bits_saved_resumed_and_stepped(name: s
     assert loaded == run
     assert loaded.digest == run.digest
     assert loaded.verify()
-    ends = {"duration": scenario.to_dict().get("duration"), "collisions": scenario.to_dict().get("collisions")}
+    ends = {
+        "duration": scenario.to_dict().get("duration"),
+        "collisions": scenario.to_dict().get("collisions"),
+    }
     part = scenario.run(max_events=len(run.events) // 2).resume(**ends)
     assert (part.digest, part.events) == (run.digest, run.events)
     if run.steps is None:
