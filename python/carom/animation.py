@@ -1,7 +1,7 @@
 """Films of runs: GIF with Pillow, MP4 with the ffmpeg that carom[movie] brings.
 
-The table is drawn once; on a copy of it every frame gets its trails, its discs and its time, at a multiple of the
-size, and is reduced: that is what makes the edges smooth.
+The table is drawn once; on a copy of it every frame gets its trails, its discs and its time, at a multiple of
+the size, and is reduced: that is what makes the edges smooth.
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ def animate(
 ) -> Path:
     """Write a film of a run; its suffix chooses GIF or MP4.
 
-    A GIF can show a frame only for whole hundredths of a second: each frame shows the run at the moment that it
-    appears, so that the film as a whole is neither faster nor slower than asked.
+    A GIF can show a frame only for whole hundredths of a second: each frame shows the run at the moment that
+    it appears, so that the film as a whole is neither faster nor slower than asked.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ def animate(
 
 
 def gif_delays(duration: float, fps: float) -> NDArray[np.int64]:
-    """Give for how long each frame of a GIF is shown, in hundredths of a second; together they make `duration`.
+    """Give for how long each frame of a GIF is shown, in hundredths of a second; their sum is `duration`.
 
     Examples
     --------

@@ -30,8 +30,8 @@ class Comparison:
     exact : Run
         The exact run.
     table : ColumnTable
-        One row for each time step: ``dt``; ``events``, how many the stepped run has; ``missed``, how many of the
-        exact run's it lacks and ``extra``, how many it has beside them (by kind, balls and cushion);
+        One row for each time step: ``dt``; ``events``, how many the stepped run has; ``missed``, how many of
+        the exact run's it lacks and ``extra``, how many it has beside them (by kind, balls and cushion);
         ``time_lost``, the time that balls waited at contacts; ``overlap``, how deep balls or cushions were
         entered; ``error``, how far from its exact place the worst ball ends.
     order : float or None

@@ -11,6 +11,7 @@ from carom.figures.scene import Scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
 
     from carom.comparison import Comparison
 
@@ -18,8 +19,8 @@ if TYPE_CHECKING:
 def plot_errors(comparison: Comparison, ax: Axes | None = None) -> Axes:
     """Draw, on two logarithmic scales, the error at the end against the time step.
 
-    Filled marks are steps whose runs have the events of the exact run, open ones those that miss or add some; the
-    guide has slope 1, the order of the scheme, and goes through the smallest filled one.
+    Filled marks are steps whose runs have the events of the exact run, open ones those that miss or add some;
+    the guide has slope 1, the order of the scheme, and goes through the smallest filled one.
 
     Parameters
     ----------
@@ -39,7 +40,9 @@ def plot_errors(comparison: Comparison, ax: Axes | None = None) -> Axes:
     good = positive & (table["missed"] == 0) & (table["extra"] == 0)
     steps, errors = table["dt"], table["error"]
     colour = style.PALETTE[1]
-    _draw_guide(ax, steps[good] if good.any() else steps[positive], errors[good] if good.any() else errors[positive])
+    _draw_guide(
+        ax, steps[good] if good.any() else steps[positive], errors[good] if good.any() else errors[positive]
+    )
     for chosen, face, label in (
         (good, colour, _name_order("same events as the exact run", comparison.order)),
         (positive & ~good, "white", "events missed or added"),
@@ -61,7 +64,13 @@ def plot_errors(comparison: Comparison, ax: Axes | None = None) -> Axes:
     style.tidy_axes(ax)
     ax.set_xlabel(scene.label("time step Δt", "time"), fontsize=style.LABEL_SIZE)
     ax.set_ylabel(scene.label("position error at the end", "length"), fontsize=style.LABEL_SIZE)
-    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), fontsize=style.TICK_SIZE, frameon=False, borderaxespad=0.2)
+    ax.legend(
+        loc="lower left",
+        bbox_to_anchor=(0.0, 1.0),
+        fontsize=style.TICK_SIZE,
+        frameon=False,
+        borderaxespad=0.2,
+    )
     return ax
 
 
@@ -69,7 +78,7 @@ def _name_order(words: str, order: float | None) -> str:
     return words if order is None else f"{words} (fitted slope {order:.2f})"
 
 
-def _draw_guide(ax: Axes, steps: np.ndarray, errors: np.ndarray) -> None:
+def _draw_guide(ax: Axes, steps: NDArray[np.float64], errors: NDArray[np.float64]) -> None:
     """Draw a line of slope 1 through the point with the smallest step."""
     if len(steps) == 0:
         return

@@ -60,8 +60,8 @@ def filmstrip(
     """Show the table before, at and after an event, side by side.
 
     Of an exact run the frames are equal times apart, chosen so that the participants are visibly apart in the
-    frames next to the event. Of a stepped run they are the scheme's own: the last step before, the contact, the
-    first full step after.
+    frames next to the event. Of a stepped run they are the scheme's own: the last step before, the contact,
+    the first full step after.
 
     Parameters
     ----------
@@ -140,8 +140,12 @@ def _new_axes(scene: Scene, frames: int) -> list[Axes]:
 def _label_scales(axes: Sequence[Axes], scene: Scene, *, in_row: bool) -> None:
     """Name the scales once, and keep their numbers only where the strip ends."""
     middle = axes[len(axes) // 2]
-    (middle if in_row else axes[-1]).set_xlabel(scene.label("x", "length"), fontsize=style.TICK_SIZE, labelpad=1)
-    (axes[0] if in_row else middle).set_ylabel(scene.label("y", "length"), fontsize=style.TICK_SIZE, labelpad=2)
+    (middle if in_row else axes[-1]).set_xlabel(
+        scene.label("x", "length"), fontsize=style.TICK_SIZE, labelpad=1
+    )
+    (axes[0] if in_row else middle).set_ylabel(
+        scene.label("y", "length"), fontsize=style.TICK_SIZE, labelpad=2
+    )
     for ax in axes[1:] if in_row else axes[:-1]:
         if in_row:
             ax.tick_params(left=False, labelleft=False)
@@ -152,7 +156,7 @@ def _label_scales(axes: Sequence[Axes], scene: Scene, *, in_row: bool) -> None:
 def _note_scale(ax: Axes, strip: Strip) -> None:
     """Say in the lower right corner how long an arrow is."""
     unit = strip.scene.unit("time")
-    words = f"arrows: velocity × {strip.arrow:g}" + (f" {unit}" if unit else "")
+    words = f"arrows: velocity \N{MULTIPLICATION SIGN} {strip.arrow:g}" + (f" {unit}" if unit else "")
     style.figure_of(ax).text(
         0.99, 0.008, words, fontsize=style.SMALL_SIZE, color=style.FAINT_INK, ha="right", va="bottom"
     )
@@ -192,7 +196,7 @@ def _draw_velocities_before(ax: Axes, strip: Strip, positions: NDArray[np.float6
 
 
 def _draw_ghost_paths(ax: Axes, strip: Strip, time: float) -> None:
-    """Draw where each ball comes from, fading into the past, and dotted where it goes until the last frame."""
+    """Draw where each ball comes from, fading into the past, and dotted where it goes."""
     speed = np.nanmax(np.linalg.norm(strip.run.velocities(strip.times), axis=-1))
     back = 0.7 * strip.scene.size / speed if speed > 0 else 0.0
     past = _path_times(strip.run, max(0.0, time - back), time)
@@ -207,7 +211,9 @@ def _draw_ghost_paths(ax: Axes, strip: Strip, time: float) -> None:
             lines = LineCollection(list(pieces), colors=colours, linewidths=1.0, capstyle="butt", zorder=1.5)
             ax.add_collection(lines, autolim=False)
         if np.ptp(goes[:, ball], axis=0).any():
-            ax.plot(*goes[:, ball].T, color=colour, alpha=0.8, linewidth=0.9, linestyle=(0, (1, 2)), zorder=1.5)
+            ax.plot(
+                *goes[:, ball].T, color=colour, alpha=0.8, linewidth=0.9, linestyle=(0, (1, 2)), zorder=1.5
+            )
 
 
 def _path_times(run: Run, start: float, end: float) -> NDArray[np.float64]:
@@ -232,7 +238,16 @@ def _draw_contact_axes(ax: Axes, strip: Strip) -> None:
         ax.plot(*ends.T, color=style.INK, linewidth=0.7, linestyle=(0, (5, 2.5)), zorder=3.6)
         labels = ends + 0.025 * scene.size * np.outer([-1.0, 1.0], direction)
         label = labels[0] if inside(labels[:1]) and not inside(labels[1:]) else labels[1]
-        ax.text(*label, name, fontsize=style.LABEL_SIZE, style="italic", ha="center", va="center", zorder=5)
+        ax.text(
+            float(label[0]),
+            float(label[1]),
+            name,
+            fontsize=style.LABEL_SIZE,
+            style="italic",
+            ha="center",
+            va="center",
+            zorder=5,
+        )
 
 
 def _title(strip: Strip, frame: int) -> str:

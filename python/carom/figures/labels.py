@@ -32,7 +32,11 @@ class Labeller:
     taken: list[tuple[NDArray[np.float64], float]] = field(default_factory=list)
 
     def place(
-        self, anchor: NDArray[np.float64], size: float, distance: float, towards: NDArray[np.float64] | None = None
+        self,
+        anchor: NDArray[np.float64],
+        size: float,
+        distance: float,
+        towards: NDArray[np.float64] | None = None,
     ) -> NDArray[np.float64]:
         """Choose the centre of a label of about `size` points beside an anchor, and keep it for later ones.
 
@@ -44,7 +48,7 @@ class Labeller:
             for step in DISTANCES
             for way in directions
         ]
-        centre = min(options, key=lambda option: option[0])[1]
+        centre: NDArray[np.float64] = min(options, key=lambda option: option[0])[1]
         self.taken.append((centre, size / 2))
         return centre
 

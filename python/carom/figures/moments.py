@@ -30,7 +30,7 @@ def frame_times(run: Run, scene: Scene, event: Event, frames: int) -> NDArray[np
     if run.steps is not None:
         return _stepped_times(run, scene, event, half)
     spacing = _exact_spacing(run, scene, event, half)
-    return event.time + spacing * np.arange(-half, half + 1)
+    return event.time + spacing * np.arange(-half, half + 1, dtype=np.float64)
 
 
 def draw_times(run: Run, samples: int) -> NDArray[np.float64]:
@@ -58,8 +58,8 @@ def just_before(time: float) -> float:
 def _exact_spacing(run: Run, scene: Scene, event: Event, half: int) -> float:
     """Choose the time between frames.
 
-    The smallest at which the participants are clearly apart in the frames next to the event, within the flights
-    that meet there; where those are too short to come apart, the window is widened step by step.
+    The smallest at which the participants are clearly apart in the frames next to the event, within the
+    flights that meet there; where those are too short to come apart, the window is widened step by step.
     """
     room = min(event.time, run.end_time - event.time) / half
     radii = [scene.radii[scene.ids.index(ball)] for ball in event.balls]
@@ -83,14 +83,12 @@ def _exact_spacing(run: Run, scene: Scene, event: Event, half: int) -> float:
 def _flight_room(run: Run, event: Event) -> float:
     """Time from the event to the nearest other event of its balls, a little shortened."""
     times = np.asarray(run.events.by_ball(*event.balls)["time"], dtype=float)
-    others = np.abs(times - event.time)
+    others: NDArray[np.float64] = np.abs(times - event.time)
     others = others[others > 1e-9 * max(run.end_time, event.time)]
-    return 0.95 * float(others.min(initial=np.inf))
+    return 0.95 * float(np.min(others, initial=np.inf))
 
 
-def _least_gap(
-    run: Run, scene: Scene, event: Event, spacings: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _least_gap(run: Run, scene: Scene, event: Event, spacings: NDArray[np.float64]) -> NDArray[np.float64]:
     """Gap between the participants one spacing before or one after the event, whichever is smaller."""
     gaps = [_gap(run, scene, event, event.time + sign * spacings) for sign in (-1.0, 1.0)]
     return np.nan_to_num(np.minimum(*gaps), nan=0.0)

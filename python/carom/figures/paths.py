@@ -84,7 +84,9 @@ def _legend_marks() -> list[Line2D]:
     grey = style.FAINT_INK
     return [
         Line2D([], [], linestyle="none", marker="o", markersize=8, mfc="none", mec=grey, label="start"),
-        Line2D([], [], linestyle="none", marker="o", markersize=8, mfc=grey, mec=style.BALL_EDGE, label="end"),
+        Line2D(
+            [], [], linestyle="none", marker="o", markersize=8, mfc=grey, mec=style.BALL_EDGE, label="end"
+        ),
         *(
             Line2D([], [], linestyle="none", label=style.EVENT_WORDS[kind], **_mark(kind))
             for kind in ("ball_ball", "ball_cushion")
@@ -132,10 +134,8 @@ def _draw_contact_rings(ax: Axes, run: Run, scene: Scene, events: list[Event]) -
             draw_balls(ax, scene, places, filled=False, alpha=0.4, zorder=2.4)
 
 
-def _draw_numbers(
-    ax: Axes, run: Run, scene: Scene, events: list[Event], places: NDArray[np.float64]
-) -> None:
-    """Number the events: at cushions outside the table, between balls where there is room."""
+def _draw_numbers(ax: Axes, run: Run, scene: Scene, events: list[Event], places: NDArray[np.float64]) -> None:
+    """Put numbers at the events: at cushions outside the table, between balls where there is room."""
     scale = points_per_unit(ax)
     curves = places.reshape(-1, 2)[:: max(1, places.size // 8000)]
     labeller = Labeller(lines=np.concatenate([curves, _ring_points(run, scene, events)]) * scale)
@@ -151,7 +151,8 @@ def _draw_numbers(
         centre = labeller.place(anchor, size, 9.0 if at_cushion else 4.0 + size / 2, away) / scale
         colour = style.INK if at_cushion else style.EVENT_COLOURS["ball_ball"]
         ax.text(
-            *centre,
+            float(centre[0]),
+            float(centre[1]),
             str(number),
             fontsize=style.SMALL_SIZE,
             fontweight="normal" if at_cushion else "bold",
@@ -167,7 +168,9 @@ def _ring_points(run: Run, scene: Scene, events: list[Event]) -> NDArray[np.floa
     angles = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
     circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     drawn = [(0.0, ball) for ball in range(len(scene.ids))]
-    drawn += [(event.time, scene.ids.index(b)) for event in events if event.kind == "ball_ball" for b in event.balls]
+    drawn += [
+        (event.time, scene.ids.index(b)) for event in events if event.kind == "ball_ball" for b in event.balls
+    ]
     rings = [run.positions([time])[0, ball, :2] + scene.radii[ball] * circle for time, ball in drawn]
     return np.concatenate(rings)
 

@@ -83,7 +83,7 @@ class Scene:
         return f"{words} ({unit})" if unit else words
 
     def unit(self, quantity: str) -> str:
-        """Give the unit of a quantity, put together from length, time and mass where it is not named itself."""
+        """Give the unit of a quantity, put together from those of length, time and mass if need be."""
         if quantity in self.units:
             return self.units[quantity]
         length, time, mass = (self.units.get(name, "") for name in ("length", "time", "mass"))

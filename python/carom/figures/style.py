@@ -61,16 +61,16 @@ COLOUR_WORDS = {
 
 EVENT_COLOURS = {"ball_ball": "#b3261e", "ball_cushion": "#5b6b78"}
 EVENT_MARKERS = {"ball_ball": "D", "ball_cushion": "o"}
-EVENT_WORDS = {"ball_ball": "ball–ball", "ball_cushion": "cushion"}
+EVENT_WORDS = {"ball_ball": "ball-ball", "ball_cushion": "cushion"}
 
 TITLE_SIZE = 10.0
 LABEL_SIZE = 9.0
 TICK_SIZE = 8.0
 SMALL_SIZE = 7.0
 
-# A PDF embeds its fonts as fonts (text stays searchable); no file holds a date or random names, so that the same
-# figure gives the same file.
-SAVE_SETTINGS = {"pdf.fonttype": 42, "svg.fonttype": "path", "svg.hashsalt": "carom"}
+# A PDF embeds its fonts as fonts (text stays searchable); no file holds a date or random names, so that the
+# same figure gives the same file.
+SAVE_SETTINGS: dict[Any, Any] = {"pdf.fonttype": 42, "svg.fonttype": "path", "svg.hashsalt": "carom"}
 UNDATED: dict[str, dict[str, Any]] = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}
 FORMATS = ("png", "pdf", "svg")
 
@@ -119,9 +119,9 @@ def font_file() -> str:
 
 def figure_of(axes: Axes | Sequence[Axes]) -> Figure:
     """Give the figure that one axes, or the first of several, belongs to."""
-    first = axes if isinstance(axes, Axes) else axes[0]
-    figure = first.get_figure()
-    assert isinstance(figure, Figure)
+    figure: Any = axes if isinstance(axes, Axes) else axes[0]
+    while not isinstance(figure, Figure):
+        figure = figure.figure
     return figure
 
 
@@ -137,15 +137,18 @@ def tidy_axes(ax: Axes) -> None:
 
 
 def line_colour(colour: str) -> tuple[float, float, float]:
-    """Give the colour in which a ball's lines are drawn: its own, darkened where it would not show on white."""
+    """Give the colour of a ball's lines: its own, darkened where it would not show on white."""
     red, green, blue = to_rgb(colour)
     brightness = 0.299 * red + 0.587 * green + 0.114 * blue
     factor = min(1.0, 0.72 / brightness) if brightness > 0 else 1.0
     return red * factor, green * factor, blue * factor
 
 
-def _colour(given: str | Sequence[float]) -> str | tuple[float, ...]:
-    return given if isinstance(given, str) else tuple(given)
+def _colour(given: str | Sequence[float]) -> str | tuple[float, float, float]:
+    if isinstance(given, str):
+        return given
+    red, green, blue = given
+    return red, green, blue
 
 
 def ball_colours(ids: Sequence[str], given: Sequence[str | Sequence[float] | None]) -> list[str]:

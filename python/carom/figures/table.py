@@ -51,7 +51,9 @@ def draw_table(ax: Axes, scene: Scene, *, margin: float = MARGIN) -> None:
         )
         face = style.CLOTH if part == "boundary" else cushion
         ax.add_patch(
-            PathPatch(path, fill=is_closed(path), facecolor=face, edgecolor=style.NOSE, linewidth=0.8, zorder=0.5)
+            PathPatch(
+                path, fill=is_closed(path), facecolor=face, edgecolor=style.NOSE, linewidth=0.8, zorder=0.5
+            )
         )
     _frame_table(ax, scene, margin * scene.size)
 
@@ -119,7 +121,8 @@ def draw_balls(
             alpha=alpha,
             zorder=zorder,
         )
-        discs.append(ax.add_patch(disc))
+        ax.add_patch(disc)
+        discs.append(disc)
     return discs
 
 
@@ -128,7 +131,7 @@ def draw_arrow(
 ) -> FancyArrowPatch:
     """Draw an arrow between two places of the table, with a light rim so that it shows on every colour.
 
-    The head shrinks with a short arrow, so that the arrow's length stays its message. `draw_table` comes first.
+    The head shrinks with a short arrow, so that the length stays the message. `draw_table` comes first.
     """
     length = float(np.hypot(*(tip - tail))) * points_per_unit(ax)
     size = min(1.0, length / 13.0)
@@ -147,12 +150,13 @@ def draw_arrow(
     )
     rim = Stroke(linewidth=arrow.get_linewidth() + 1.3 * size, foreground="white", alpha=0.75)
     arrow.set_path_effects([] if faint else [rim, Normal()])
-    return ax.add_patch(arrow)
+    ax.add_patch(arrow)
+    return arrow
 
 
 def points_per_unit(ax: Axes) -> float:
     """Give how many points one unit of length takes in an axes of equal aspect."""
-    figure = ax.get_figure(root=True)
+    figure = style.figure_of(ax)
     box = ax.get_position(original=True)
     width, height = figure.get_size_inches()
     across, along = np.ptp(ax.get_xlim()), np.ptp(ax.get_ylim())
@@ -196,7 +200,9 @@ def table_contains(scene: Scene) -> Any:
 
     def inside(points: NDArray[np.float64]) -> bool:
         points = points[np.all(np.isfinite(points), axis=1)]
-        held = [path.contains_points(points) == (part == "boundary") for part, path in loops if is_closed(path)]
+        held = [
+            path.contains_points(points) == (part == "boundary") for part, path in loops if is_closed(path)
+        ]
         return bool(np.all(held))
 
     return inside
@@ -208,12 +214,12 @@ def table_loops(scene: Scene) -> list[tuple[str, Path]]:
     end = None
     for piece in scene.pieces:
         path = piece_path(piece)
-        joined = end is not None and np.allclose(path.vertices[0], end, rtol=0, atol=1e-9 * scene.size)
+        joined = end is not None and np.allclose(_places(path)[0], end, rtol=0, atol=1e-9 * scene.size)
         if joined and loops[-1][0] == piece["part"]:
             loops[-1][1].append(path)
         else:
             loops.append((piece["part"], [path]))
-        end = path.vertices[-1]
+        end = _places(path)[-1]
     return [(part, join_paths(paths)) for part, paths in loops]
 
 
@@ -223,16 +229,16 @@ def piece_path(piece: Mapping[str, Any]) -> Path:
         return Path([piece["start"], piece["end"]])
     start, end = piece["from_deg"], piece["to_deg"]
     unit = Path.arc(min(start, end), max(start, end))
-    places = np.asarray(unit.vertices) * piece["radius"] + np.asarray(piece["center"], dtype=float)
+    places = _places(unit) * piece["radius"] + np.asarray(piece["center"], dtype=float)
     return Path(places if start <= end else places[::-1], unit.codes)
 
 
 def join_paths(paths: Sequence[Path]) -> Path:
     """Put paths that follow one another into one, closed where the last end meets the first start."""
-    vertices = [np.asarray(paths[0].vertices)[:1]]
+    vertices = [_places(paths[0])[:1]]
     codes = [np.array([Path.MOVETO], dtype=Path.code_type)]
     for path in paths:
-        drawn = np.asarray(path.vertices)[1:]
+        drawn = _places(path)[1:]
         vertices.append(drawn)
         lines = np.full(len(drawn), Path.LINETO, dtype=Path.code_type)
         codes.append(lines if path.codes is None else np.asarray(path.codes)[1:])
@@ -244,6 +250,10 @@ def join_paths(paths: Sequence[Path]) -> Path:
     return Path(np.concatenate(vertices), np.concatenate(codes))
 
 
+def _places(path: Path) -> NDArray[np.float64]:
+    return np.asarray(path.vertices, dtype=np.float64)
+
+
 def is_closed(path: Path) -> bool:
     """Tell whether a path made by `join_paths` comes back to its start."""
-    return path.codes is not None and path.codes[-1] == Path.CLOSEPOLY
+    return path.codes is not None and np.asarray(path.codes)[-1] == Path.CLOSEPOLY
