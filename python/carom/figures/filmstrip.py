@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 PAGE_WIDTH = 7.2
 PAGE_HEIGHT = 8.4
-LEFT, RIGHT, GAP, BELOW, TITLE = 0.5, 0.1, 0.16, 0.36, 0.3  # inches
+LEFT, RIGHT, GAP, BELOW, TITLE, NARROW = 0.5, 0.1, 0.16, 0.36, 0.3, 1.8  # inches
 
 
 @dataclass(frozen=True)
@@ -120,17 +120,18 @@ def _new_axes(scene: Scene, frames: int) -> list[Axes]:
     in_row = ratio > 0.62
     columns, rows = (frames, 1) if in_row else (1, frames)
     across = (PAGE_WIDTH - LEFT - RIGHT - (columns - 1) * GAP) / columns
-    along = (PAGE_HEIGHT - BELOW) / rows - TITLE
+    title = TITLE if across >= NARROW else 1.6 * TITLE
+    along = (PAGE_HEIGHT - BELOW) / rows - title
     width = min(across, along / ratio, 4.6)
     height = width * ratio
     total_width = LEFT + RIGHT + columns * width + (columns - 1) * GAP
-    total_height = BELOW + rows * (height + TITLE)
+    total_height = BELOW + rows * (height + title)
     figure = style.new_figure(total_width, total_height)
     axes = []
     for frame in range(frames):
         column, row = (frame, 0) if in_row else (0, frame)
         left = LEFT + column * (width + GAP)
-        bottom = total_height - (row + 1) * (height + TITLE)
+        bottom = total_height - (row + 1) * (height + title)
         place = (left / total_width, bottom / total_height, width / total_width, height / total_height)
         axes.append(figure.add_axes(place))
     _label_scales(axes, scene, in_row=in_row)
@@ -177,7 +178,7 @@ def _draw_frame(ax: Axes, strip: Strip, frame: int) -> None:
     if frame == strip.middle:
         _draw_velocities_before(ax, strip, positions)
     _draw_velocities(ax, strip, positions, time)
-    ax.set_title(_title(strip, frame), fontsize=style.TITLE_SIZE - 1, color=style.INK, pad=4)
+    ax.set_title(_title(ax, strip, frame), fontsize=style.TITLE_SIZE - 1, color=style.INK, pad=4)
 
 
 def _draw_velocities(ax: Axes, strip: Strip, positions: NDArray[np.float64], time: float) -> None:
@@ -236,6 +237,8 @@ def _draw_contact_axes(ax: Axes, strip: Strip) -> None:
         behind = 0.0 if name == "n" and len(event.balls) == 1 else short
         ends = centre + np.outer([-behind, ahead], direction)
         ax.plot(*ends.T, color=style.INK, linewidth=0.7, linestyle=(0, (5, 2.5)), zorder=3.6)
+        if name == "t" and len(event.balls) == 1:
+            ends = ends + 0.03 * scene.size * normal
         labels = ends + 0.025 * scene.size * np.outer([-1.0, 1.0], direction)
         label = labels[0] if inside(labels[:1]) and not inside(labels[1:]) else labels[1]
         ax.text(
@@ -250,15 +253,13 @@ def _draw_contact_axes(ax: Axes, strip: Strip) -> None:
         )
 
 
-def _title(strip: Strip, frame: int) -> str:
-    """Give a frame's title: its time, and at the event's frame what happens."""
+def _title(ax: Axes, strip: Strip, frame: int) -> str:
+    """Give a frame's title: its time, and what it shows; in two lines where the frame is narrow."""
     least = float(np.diff(strip.times)[np.diff(strip.times) > 0].min(initial=1.0))
     digits = int(np.clip(np.ceil(-np.log10(least)) + 2, 1, 9))
     unit = strip.scene.unit("time")
     time = f"t = {strip.times[frame]:.{digits}f}" + (f" {unit}" if unit else "")
-    words = {"ball_ball": "collision", "ball_cushion": "cushion"}
-    if frame < strip.middle:
-        return f"{time} — before"
-    if frame > strip.middle:
-        return f"{time} — after"
-    return f"{time} — {words.get(strip.event.kind, strip.event.kind.replace('_', ' '))}"
+    kind = {"ball_ball": "collision", "ball_cushion": "cushion"}.get(strip.event.kind, strip.event.kind)
+    words = ("before", kind, "after")[int(np.sign(frame - strip.middle)) + 1]
+    width = ax.get_position(original=True).width * style.figure_of(ax).get_figwidth()
+    return f"{words}\n{time}" if width < NARROW else f"{time} — {words}"

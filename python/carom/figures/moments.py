@@ -30,7 +30,7 @@ def frame_times(run: Run, scene: Scene, event: Event, frames: int) -> NDArray[np
     if run.steps is not None:
         return _stepped_times(run, scene, event, half)
     spacing = _exact_spacing(run, scene, event, half)
-    return event.time + spacing * np.arange(-half, half + 1, dtype=np.float64)
+    return np.clip(event.time + spacing * np.arange(-half, half + 1), 0.0, run.end_time)
 
 
 def draw_times(run: Run, samples: int) -> NDArray[np.float64]:
@@ -59,39 +59,38 @@ def _exact_spacing(run: Run, scene: Scene, event: Event, half: int) -> float:
     """Choose the time between frames.
 
     The smallest at which the participants are clearly apart in the frames next to the event, within the
-    flights that meet there; where those are too short to come apart, the window is widened step by step.
+    flights that meet there; where those are too short to come apart, the window is widened step by step. An
+    event at the start or at the end of the run is looked at from its one side.
     """
-    room = min(event.time, run.end_time - event.time) / half
+    rooms = {-1.0: event.time, 1.0: run.end_time - event.time}
+    sides = {sign: room for sign, room in rooms.items() if room > 1e-6 * run.end_time}
+    if not sides:
+        return 0.0
     radii = [scene.radii[scene.ids.index(ball)] for ball in event.balls]
     wanted = max(2.0 * float(np.mean(radii)), 0.05 * scene.size)
-    limit = _flight_room(run, event) / half
-    best = (0.0, min(room, limit) or 0.01 * run.end_time)
-    while True:
-        limit = min(limit, room) or room
+    room = min(sides.values()) / half
+    limit = min(_flight_room(run, event) / half, room)
+    best: tuple[float, float] = (0.0, limit)
+    while best[0] < wanted / 3:
         spacings = limit * np.linspace(1 / SPACINGS, 1.0, SPACINGS)
-        apart = _least_gap(run, scene, event, spacings)
+        apart = np.min([_gap(run, scene, event, event.time + sign * spacings) for sign in sides], axis=0)
         enough = np.flatnonzero(apart >= wanted)
         if len(enough):
             return float(spacings[enough[0]])
         widest = int(np.argmax(apart))
         best = max(best, (float(apart[widest]), float(spacings[widest])))
-        if best[0] > wanted / 3 or limit >= room:
-            return best[1]
-        limit *= 2.0
+        if limit == room:
+            break
+        limit = min(2.0 * limit, room)
+    return best[1]
 
 
 def _flight_room(run: Run, event: Event) -> float:
     """Time from the event to the nearest other event of its balls, a little shortened."""
     times = np.asarray(run.events.by_ball(*event.balls)["time"], dtype=float)
-    others: NDArray[np.float64] = np.abs(times - event.time)
-    others = others[others > 1e-9 * max(run.end_time, event.time)]
-    return 0.95 * float(np.min(others, initial=np.inf))
-
-
-def _least_gap(run: Run, scene: Scene, event: Event, spacings: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Gap between the participants one spacing before or one after the event, whichever is smaller."""
-    gaps = [_gap(run, scene, event, event.time + sign * spacings) for sign in (-1.0, 1.0)]
-    return np.nan_to_num(np.minimum(*gaps), nan=0.0)
+    others = np.abs(times - event.time)
+    others = others[others > 1e-9 * run.end_time]
+    return 0.95 * float(others.min()) if len(others) else np.inf
 
 
 def _gap(run: Run, scene: Scene, event: Event, times: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -100,7 +99,7 @@ def _gap(run: Run, scene: Scene, event: Event, times: NDArray[np.float64]) -> ND
     chosen = [scene.ids.index(ball) for ball in event.balls]
     other = places[:, chosen[1]] if len(chosen) > 1 else np.array([event.x, event.y])
     distance = np.linalg.norm(places[:, chosen[0]] - other, axis=-1)
-    gap: NDArray[np.float64] = distance - scene.radii[chosen].sum()
+    gap: NDArray[np.float64] = np.nan_to_num(distance - scene.radii[chosen].sum(), nan=0.0)
     return gap
 
 

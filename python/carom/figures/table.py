@@ -46,7 +46,13 @@ def draw_table(ax: Axes, scene: Scene, *, margin: float = MARGIN) -> None:
         cushion = style.CUSHION
         ax.add_patch(
             PathPatch(
-                path, fill=False, edgecolor=cushion, linewidth=CUSHION_POINTS, joinstyle="round", zorder=0.1
+                path,
+                fill=False,
+                edgecolor=cushion,
+                linewidth=CUSHION_POINTS,
+                joinstyle="round",
+                clip_on=False,
+                zorder=0.1,
             )
         )
         face = style.CLOTH if part == "boundary" else cushion
@@ -134,7 +140,7 @@ def draw_arrow(
     The head shrinks with a short arrow, so that the length stays the message. `draw_table` comes first.
     """
     length = float(np.hypot(*(tip - tail))) * points_per_unit(ax)
-    size = min(1.0, length / 13.0)
+    size = min(1.0, length / 8.0)
     arrow = FancyArrowPatch(
         (float(tail[0]), float(tail[1])),
         (float(tip[0]), float(tip[1])),
