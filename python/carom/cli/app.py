@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Annotated
 
 import typer
@@ -40,7 +41,7 @@ def _options(
     pass
 
 
-EXAMPLES = {
+EXAMPLES: dict[Callable[..., None], list[str]] = {
     run: [
         "carom run midterm",
         "carom run midterm --method stepped --dt 0.03 --out out/stepped",

@@ -22,13 +22,13 @@ def bench(
     names: Annotated[
         list[str] | None,
         typer.Argument(
-            metavar="[SCENARIO]...", help="Scenarios; all ready-made ones if not given.", show_default=False
+            metavar="SCENARIO", help="Scenarios; all ready-made ones if not given.", show_default=False
         ),
     ] = None,
     repeats: Annotated[int, typer.Option(min=1, help="How many times to time each; the median counts.")] = 7,
     as_json: options.Json = False,
 ) -> None:
-    """Time some scenarios: the median over several repeats, of the computation alone."""
+    """Time some scenarios, the computation alone."""
     import carom
 
     rows = [_time(name, carom.load(name), repeats) for name in names or carom.scenarios()]

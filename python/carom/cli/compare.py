@@ -33,11 +33,11 @@ def compare(
     formats: options.Formats = "png",
     as_json: options.Json = False,
 ) -> None:
-    """Compare the stepped method with the exact run, for several time steps.
+    """Compare the stepped method with the exact run.
 
-    For each time step: how many events the stepped run has, how many of the exact run's it misses and
-    how many it adds; the time that balls lost waiting at contacts; the deepest overlap; how far from its exact
-    place the worst ball ends. With --out also write comparison.csv and a log-log figure of that error.
+    For each of some time steps: how many events the stepped run has, how many of the exact run's it misses
+    and how many it adds; the time that balls lost waiting at contacts; the deepest overlap; how far from its
+    exact place the worst ball ends. With --out also write comparison.csv and a log-log figure of that error.
     """
     from carom.comparison import DEFAULT_STEPS, compare
 

@@ -60,7 +60,7 @@ def _copy(name: str, path: Path, *, overwrite: bool) -> None:
 
 @reporting()
 def schema() -> None:
-    """Print the JSON Schema of scenario files, for editors and checks."""
+    """Print the JSON Schema of scenario files."""
     import carom
 
     print(carom.schema())
