@@ -1,0 +1,96 @@
+"""However a run is taken, its bits are the same."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import carom
+
+
+def _bits(run: carom.Run) -> tuple[str, str, list[carom.Event], bytes]:
+    flights = run.positions(run.sample_times(0.37)).tobytes()
+    return run.status, run.digest, list(run.events), flights
+
+
+def test_resumed_run_is_the_longer_run(midterm: carom.Scenario, run: carom.Run) -> None:
+    part = midterm.run(duration=0.4)
+    for end in (1.1, 1.1, 3.0):
+        part = part.resume(duration=end)
+    assert _bits(part.resume(duration=5)) == _bits(run)
+
+
+def test_resumed_from_a_file_or_after_a_stop(midterm: carom.Scenario, run: carom.Run) -> None:
+    from carom import _engine
+
+    stopped = midterm.run(until="ball_ball")
+    loaded = carom.Run(_engine.Run.from_json(stopped.to_json()))
+    assert _bits(loaded.resume(duration=5)) == _bits(run)
+
+
+def test_resume_by_collisions_counts_from_the_start(midterm: carom.Scenario, run: carom.Run) -> None:
+    part = midterm.run(collisions=3).resume(collisions=7)
+    assert (part.status, len(part.events)) == ("collision_limit", 7)
+    assert list(part.events) == list(run.events[:7])
+
+
+def test_resume_to_an_earlier_time_is_an_error(run: carom.Run) -> None:
+    with pytest.raises(carom.ScenarioError, match=r"duration: .*5"):
+        run.resume(duration=4)
+
+
+def test_single_steps_give_the_same_run(midterm: carom.Scenario, run: carom.Run) -> None:
+    simulation = midterm.start()
+    assert list(simulation) == list(run.events)
+    assert simulation.status == "time_limit"
+    assert simulation.step() is None
+    assert _bits(simulation.finish()) == _bits(run)
+
+
+def test_looking_on_changes_nothing(midterm: carom.Scenario, run: carom.Run) -> None:
+    simulation = midterm.start()
+    for time in (0.0, 0.1, 0.1, 0.5, 2.0):
+        simulation.run_until(time)
+        simulation.candidates()
+        assert simulation.time == time
+        assert np.array_equal(simulation.positions, run.positions(time))
+        assert np.array_equal(simulation.velocities, run.velocities(time))
+    assert simulation.step() == run.events.by_time(2.0, 5.0)[0]
+    assert _bits(simulation.finish()) == _bits(run)
+
+
+def test_stopped_simulation_is_the_beginning_of_the_run(midterm: carom.Scenario, run: carom.Run) -> None:
+    simulation = midterm.start()
+    simulation.run_until(1.0)
+    simulation.stop()
+    part = simulation.finish()
+    assert (part.status, part.end_time) == ("stopped", 1.0)
+    assert list(part.events) == list(run.events.by_time(0, 1))
+    assert part.verify()
+
+
+def test_candidates_foresee_the_next_event(midterm: carom.Scenario) -> None:
+    simulation = midterm.start()
+    red, blue = simulation.candidates()
+    assert (red.ball, red.kind, red.ball_b) == ("red", "ball_ball", "blue")
+    assert red.gap == pytest.approx(np.hypot(0.4, 0.9) - 0.15, rel=1e-14)
+    event = simulation.step()
+    assert event is not None
+    assert red.time == event.time
+    assert blue.ball == "blue"
+
+
+def test_stepped_method_does_not_go_event_by_event(midterm: carom.Scenario) -> None:
+    with pytest.raises(carom.ScenarioError, match="method: only the exact method"):
+        midterm.start(method=carom.Stepped(dt=0.1))
+
+
+@pytest.mark.parametrize("environment", [{"OMP_NUM_THREADS": "1", "LC_ALL": "C"}, {"LC_ALL": "C.UTF-8", "TZ": "Asia/Tokyo"}])
+def test_other_processes_give_the_same_digest(run: carom.Run, environment: dict[str, str]) -> None:
+    code = "import carom; print(carom.load('midterm').run().digest)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], check=True, capture_output=True, text=True, env={**os.environ, **environment}
+    )
+    assert done.stdout.strip() == run.digest
