@@ -35,7 +35,9 @@ CALLS = {
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to a single child")
 @pytest.mark.parametrize("call", CALLS.values(), ids=CALLS.keys())
 def test_ctrl_c_ends_a_long_call(call: str) -> None:
-    child = subprocess.Popen([sys.executable, "-c", LONG.format(call=call)], stdout=subprocess.PIPE, text=True)
+    child = subprocess.Popen(
+        [sys.executable, "-c", LONG.format(call=call)], stdout=subprocess.PIPE, text=True
+    )
     assert child.stdout is not None
     assert child.stdout.readline() == "ready\n"
     time.sleep(0.3)

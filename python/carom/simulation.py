@@ -52,7 +52,7 @@ class Simulation:
     >>> import carom
     >>> simulation = carom.load("midterm").start()
     >>> simulation.step().kind
-    'ball_ball'
+    'ball_cushion'
     >>> simulation.run_until(2.0)
     >>> simulation.finish().status
     'time_limit'

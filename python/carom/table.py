@@ -42,7 +42,12 @@ class Arc(Section):
 
     def to_dict(self) -> dict[str, Any]:
         """Give the keys of the piece."""
-        shape = {"center": self.center, "radius": self.radius, "from_deg": self.from_deg, "to_deg": self.to_deg}
+        shape = {
+            "center": self.center,
+            "radius": self.radius,
+            "from_deg": self.from_deg,
+            "to_deg": self.to_deg,
+        }
         return {"arc": shape, **_named(self.id)}
 
 

@@ -1,7 +1,7 @@
 //! Runs.
 
 use crate::columns::{event_columns, step_columns};
-use crate::errors::{file_error, problem, query_error, run_error, scenario_error, simulation_error};
+use crate::errors::{file_error, problem, query_error, run_error, simulation_error};
 use crate::interrupt::interruptible;
 use crate::scenario::{self, Scenario};
 use crate::states::{State, vectors};

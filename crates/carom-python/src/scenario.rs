@@ -53,7 +53,7 @@ impl Scenario {
 
     /// The scenario with the values of a JSON object put in at the paths that are its keys.
     fn with_values(&self, values_json: &str) -> PyResult<Self> {
-        self.0.with_values(&object(values_json)?).map(Self).map_err(scenario_error)
+        self.0.with_values(&entries(values_json)?).map(Self).map_err(scenario_error)
     }
 
     /// The JSON text of the value at a path.
@@ -105,9 +105,10 @@ pub fn with_options(
     scenario: &scenario::Scenario,
     options_json: &str,
 ) -> PyResult<(scenario::Scenario, Option<Kind>)> {
-    let mut options = object(options_json)?;
-    let until = options.remove("until").map(|word| kind(&word)).transpose()?;
-    Ok((scenario.with_values(&options).map_err(scenario_error)?, until))
+    let (until, values): (Vec<_>, Vec<_>) =
+        entries(options_json)?.into_iter().partition(|(name, _)| name == "until");
+    let until = until.first().map(|(_, word)| kind(word)).transpose()?;
+    Ok((scenario.with_values(&values).map_err(scenario_error)?, until))
 }
 
 fn kind(word: &Value) -> PyResult<Kind> {
@@ -115,6 +116,9 @@ fn kind(word: &Value) -> PyResult<Kind> {
     word.as_str().and_then(Kind::from_name).ok_or_else(|| problem("until", &known()))
 }
 
-fn object(text: &str) -> PyResult<Map<String, Value>> {
-    serde_json::from_str(text).map_err(|error| PyValueError::new_err(error.to_string()))
+/// The keys and values of a JSON object, in order.
+fn entries(text: &str) -> PyResult<Vec<(String, Value)>> {
+    let object: Map<String, Value> =
+        serde_json::from_str(text).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    Ok(object.into_iter().collect())
 }

@@ -1,14 +1,13 @@
 //! Several contacts at one instant: gathers the cluster, lets its law act, and starts the new flights.
 
 use super::discs::{Discs, Target};
-use super::event::{Event, Kind};
-use super::observer::Observer;
 use crate::detect::cushion_gap;
 use crate::geometry::Vec2;
 use crate::law::cluster::{Body, Passes, Touch, resolve_pairwise, resolve_reflections};
 use crate::model::closing_threshold;
+use crate::run::{Event, Kind, Observer};
 use crate::scalar::Scalar;
-use crate::scenario::ClusterLaw;
+use crate::scenario::schema::Cluster;
 
 /// Between balls of one cluster, a gap up to this many contact tolerances counts as a contact: so a ball aimed at the
 /// middle of a touching pair, and off by a hair, still strikes both at once.
@@ -182,8 +181,8 @@ impl<S: Scalar> Discs<S> {
 
     fn resolve_normal(&mut self, bodies: &mut [Body<S>], touches: &mut [Touch<S>]) {
         let Passes { count, forced } = match self.system.cluster {
-            ClusterLaw::Reflections => resolve_reflections(bodies, touches),
-            ClusterLaw::Pairwise => resolve_pairwise(bodies, touches),
+            Cluster::Reflections => resolve_reflections(bodies, touches),
+            Cluster::Pairwise => resolve_pairwise(bodies, touches),
         };
         self.diagnostics.cluster_passes += u64::from(count);
         self.diagnostics.forced_clusters += u64::from(forced);

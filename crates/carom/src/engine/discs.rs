@@ -3,9 +3,6 @@
 //! One event is pending for each disc. The only thing that makes it stale is a change of its partner's course, which the
 //! partner's counter tells; nobody hunts for third parties.
 
-use super::diagnostics::Diagnostics;
-use super::event::{Event, Kind};
-use super::observer::Observer;
 use super::queue::Queue;
 use crate::detect::{Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_from_behind, detect_release};
 use crate::flight::Flight;
@@ -13,6 +10,7 @@ use crate::geometry::Vec2;
 use crate::law::ball_ball::Pair;
 use crate::law::{ball_ball, ball_cushion};
 use crate::model::{Face, closing_threshold};
+use crate::run::{Diagnostics, Event, Kind, Observer, Run, Track};
 use crate::scalar::Scalar;
 use crate::scenario::System;
 use std::sync::Arc;
@@ -44,21 +42,6 @@ pub struct Pending<S> {
     pub target: Target,
 }
 
-/// What a ball carries from event to event beside its flight.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Track<S> {
-    /// Changes of course so far.
-    pub changes: u64,
-    /// Straight cushions that hold the ball.
-    pub held_by: [Option<u32>; 2],
-    /// The cushion it touched last, until it has left it: tells a point on which side of a thin wall it is.
-    pub last_cushion: Option<u32>,
-    /// Time of its last contact.
-    pub last_contact: S,
-    /// Start of the present burst of events, and events in it.
-    pub burst: (S, u32),
-}
-
 /// The state of the discs: everything that changes during a run.
 #[derive(Clone, Debug)]
 pub struct Discs<S> {
@@ -86,29 +69,6 @@ impl<S: Scalar> Pending<S> {
     }
 }
 
-impl<S: Scalar> Track<S> {
-    /// A ball that nothing has happened to.
-    pub fn new() -> Self {
-        Self {
-            changes: 0,
-            held_by: [None; 2],
-            last_cushion: None,
-            last_contact: -S::INFINITY,
-            burst: (-S::INFINITY, 0),
-        }
-    }
-
-    pub(super) fn is_held(&self) -> bool {
-        self.held_by[0].is_some()
-    }
-}
-
-impl<S: Scalar> Default for Track<S> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 impl<S: Scalar> Discs<S> {
     /// The discs of a system at time zero.
     pub fn new(system: Arc<System<S>>) -> Self {
@@ -124,6 +84,23 @@ impl<S: Scalar> Discs<S> {
             system,
         };
         discs.begin();
+        discs
+    }
+
+    /// The discs at the end of a run.
+    pub fn resume(run: &Run<S>) -> Self {
+        let balls = run.balls.len();
+        let mut discs = Self {
+            flights: run.balls.iter().map(|ball| ball.0).collect(),
+            tracks: run.balls.iter().map(|ball| ball.1).collect(),
+            pending: vec![Pending::NEVER; balls],
+            queue: Queue::new(balls),
+            diagnostics: run.diagnostics.clone(),
+            collapsed: None,
+            broken: None,
+            system: run.system.clone(),
+        };
+        discs.predict_all();
         discs
     }
 
@@ -208,7 +185,7 @@ impl<S: Scalar> Discs<S> {
 
     /// Whether a ball is a point on the other face of the thin wall that a cushion is one face of.
     #[inline(always)]
-    fn is_behind(&self, ball: usize, cushion: u32) -> bool {
+    pub(super) fn is_behind(&self, ball: usize, cushion: u32) -> bool {
         let last = self.tracks[ball].last_cushion;
         self.system.has_backs
             && last.is_some()
@@ -238,13 +215,13 @@ impl<S: Scalar> Discs<S> {
         next
     }
 
-    /// Makes the earliest event happen, if it comes no later than `limit`; says whether there was one.
+    /// Makes the earliest event happen, if it comes no later than `limit`; gives its time.
     #[inline]
-    pub fn step(&mut self, limit: S, observer: &mut impl Observer<S>) -> bool {
+    pub fn step(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
         loop {
             let (ball, time) = self.queue.first();
             if !(time <= limit) || time == S::INFINITY {
-                return false;
+                return None;
             }
             let pending = self.pending[ball];
             match pending.target {
@@ -256,9 +233,21 @@ impl<S: Scalar> Discs<S> {
                 Target::Ball(other, _) => self.strike_ball(ball, other as usize, &pending, observer),
                 Target::Cushion(cushion) => self.strike_cushion(ball, cushion, &pending, observer),
                 Target::Release(cushion) => self.release(ball, cushion, &pending, observer),
-                Target::Nothing => return false,
+                Target::Nothing => return None,
             }
-            return true;
+            return Some(time);
+        }
+    }
+
+    /// Predicts anew where a pending event is stale.
+    pub(super) fn refresh(&mut self) {
+        for ball in 0..self.pending.len() {
+            while let Target::Ball(other, changes) = self.pending[ball].target {
+                if self.tracks[other as usize].changes == changes {
+                    break;
+                }
+                self.predict(ball, Target::Nothing);
+            }
         }
     }
 
@@ -382,11 +371,11 @@ impl<S: Scalar> Discs<S> {
         track.changes += 1;
         track.held_by = [None; 2];
         track.last_contact = time;
-        if !(time - track.burst.0 <= burst_time) {
-            track.burst = (time, 0);
+        if !(time - track.burst_start <= burst_time) {
+            (track.burst_start, track.burst) = (time, 0);
         }
-        track.burst.1 += 1;
-        if track.burst.1 > BURST_LIMIT {
+        track.burst += 1;
+        if track.burst > BURST_LIMIT {
             self.collapsed = Some(ball as u32);
         }
     }

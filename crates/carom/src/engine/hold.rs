@@ -1,11 +1,10 @@
 //! A ball in a field that comes to lie on straight cushions, slides along them, and leaves them.
 
 use super::discs::{Discs, Pending, Target};
-use super::event::{Event, Kind};
-use super::observer::Observer;
 use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::model::{Face, Line, closing_threshold};
+use crate::run::{Event, Kind, Observer};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Discs<S> {

@@ -58,6 +58,8 @@ pub enum OutlineKind {
 pub struct Outline<S> {
     /// What it is.
     pub kind: OutlineKind,
+    /// The name of the obstacle; `boundary` for the boundary.
+    pub id: String,
     /// The cushions in order.
     pub cushions: Vec<Cushion<S>>,
 }
@@ -76,7 +78,8 @@ pub struct Table<S> {
 impl<S: Scalar> Table<S> {
     /// The table inside a boundary, with obstacles; ends within [`JOINT_TOLERANCE`] become one point.
     pub fn new(boundary: Vec<Cushion<S>>, obstacles: Vec<Outline<S>>) -> Self {
-        let mut outlines = vec![Outline { kind: OutlineKind::Boundary, cushions: boundary }];
+        let mut outlines =
+            vec![Outline { kind: OutlineKind::Boundary, id: "boundary".into(), cushions: boundary }];
         outlines.extend(obstacles);
         let bounds = Bounds::around(outlines[0].cushions.iter().map(|cushion| &cushion.piece));
         let tolerance = bounds.size() * S::from_f64(JOINT_TOLERANCE);
@@ -90,6 +93,11 @@ impl<S: Scalar> Table<S> {
     /// The larger side of the box around the table.
     pub fn size(&self) -> S {
         self.bounds.size()
+    }
+
+    /// The distance within which two things count as touching, where `radii` is the sum of the radii of both.
+    pub fn contact_tolerance(&self, radii: S) -> S {
+        radii * S::from_f64(1e-10) + self.size() * S::from_f64(1e-13)
     }
 
     /// All cushions: those of the boundary, then those of each obstacle.
@@ -121,13 +129,17 @@ impl<S: Scalar> Outline<S> {
     /// A round obstacle.
     pub fn pillar(id: &str, center: Vec2<S>, radius: S) -> Self {
         let piece = Piece::Arc(Arc::from_degrees(center, radius, S::from_f64(360.0), S::ZERO));
-        Self { kind: OutlineKind::Obstacle, cushions: vec![Cushion { id: id.into(), piece }] }
+        Self { kind: OutlineKind::Obstacle, id: id.into(), cushions: vec![Cushion { id: id.into(), piece }] }
     }
 
     /// A thin wall.
     pub fn wall(id: &str, start: Vec2<S>, end: Vec2<S>) -> Self {
         let face = |side: &str, start, end| Cushion { id: format!("{id}.{side}"), piece: line(start, end) };
-        Self { kind: OutlineKind::Wall, cushions: vec![face("a", start, end), face("b", end, start)] }
+        Self {
+            kind: OutlineKind::Wall,
+            id: id.into(),
+            cushions: vec![face("a", start, end), face("b", end, start)],
+        }
     }
 }
 

@@ -158,6 +158,11 @@ impl<const N: usize> Scalar for Dual<N> {
         self.value.is_finite() && self.derivatives.iter().all(|derivative| derivative.is_finite())
     }
 
+    #[inline(always)]
+    fn detached(self) -> Self {
+        Self::constant(self.value)
+    }
+
     /// The absolute value; its derivative takes the sign of the value, plus at zero.
     #[inline(always)]
     fn abs(self) -> Self {

@@ -64,6 +64,13 @@ pub trait Scalar:
     /// Whether the value, and every derivative it carries, is neither infinite nor NaN.
     fn is_finite(self) -> bool;
 
+    /// The same value without its derivatives, for the iterates of a search, whose history must leave no trace.
+    #[inline(always)]
+    #[must_use]
+    fn detached(self) -> Self {
+        self
+    }
+
     /// The absolute value.
     #[must_use]
     fn abs(self) -> Self {

@@ -30,6 +30,25 @@ impl Table {
     }
 }
 
+impl Table {
+    /// Where an outline of the layout, or one of its cushions, is written: `table.obstacles[1].path[0]`.
+    pub(super) fn place_of(&self, outline: usize, cushion: Option<usize>) -> String {
+        let Some(obstacle) = outline.checked_sub(1) else {
+            return match (self, cushion) {
+                (Table::Path { .. }, Some(cushion)) => format!("table.pieces[{cushion}]"),
+                (Table::Path { .. }, None) => "table.pieces".into(),
+                _ => "table".into(),
+            };
+        };
+        match (self.obstacles().get(obstacle), cushion) {
+            (Some(Obstacle::Path { .. }), Some(cushion)) => {
+                format!("table.obstacles[{obstacle}].path[{cushion}]")
+            }
+            _ => format!("table.obstacles[{obstacle}]"),
+        }
+    }
+}
+
 impl Obstacle {
     /// The id of the obstacle at a place of the list.
     pub fn id_or_default(&self, index: usize) -> String {
@@ -48,7 +67,7 @@ fn obstacle<S: Scalar>(index: usize, item: &Obstacle, number: Number<'_, S>) -> 
         }
         Obstacle::Path { path, .. } => {
             let cushions = cushions(path, &format!("{id}."), &format_args!("{place}.path"), number);
-            Outline { kind: OutlineKind::Obstacle, cushions }
+            Outline { kind: OutlineKind::Obstacle, id, cushions }
         }
         Obstacle::Wall { wall, .. } => {
             let [start, end] = points(&format_args!("{place}.wall"), *wall, number);
@@ -91,7 +110,7 @@ fn points<S: Scalar>(place: &dyn Display, ends: [[f64; 2]; 2], number: Number<'_
     [start, vector(&format_args!("{place}[1]"), ends[1], number)]
 }
 
-fn vector<S: Scalar>(place: &dyn Display, value: [f64; 2], number: Number<'_, S>) -> Vec2<S> {
+pub(super) fn vector<S: Scalar>(place: &dyn Display, value: [f64; 2], number: Number<'_, S>) -> Vec2<S> {
     let x = number(&format_args!("{place}[0]"), value[0]);
     Vec2::new(x, number(&format_args!("{place}[1]"), value[1]))
 }

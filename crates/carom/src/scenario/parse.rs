@@ -1,24 +1,52 @@
 //! Scenario texts: TOML and JSON, read and written.
 
-use super::{Problem, Scenario, ScenarioError};
+use super::check::{Draft, check};
+use super::json;
+use super::problem::{Findings, Problem, ScenarioError};
+use super::schema::{Ball, FORMAT, Scenario};
+use super::structure::check_structure;
+use serde::Deserialize;
 use serde_json::{Map, Value};
 
 impl Scenario {
     /// Reads and checks a scenario written in TOML.
     pub fn from_toml(text: &str) -> Result<Self, ScenarioError> {
         let document: toml::Table = text.parse().map_err(|error| toml_problem(text, &error))?;
-        Self::from_value(json_of_table(document))
+        Self::from_value(&json_of_table(document))
     }
 
     /// Reads and checks a scenario written in JSON.
     pub fn from_json(text: &str) -> Result<Self, ScenarioError> {
-        Self::from_value(serde_json::from_str(text).map_err(|error| json_problem(&error))?)
+        if text.trim().is_empty() {
+            return Err(empty().into());
+        }
+        Self::from_value(&json::read(text).map_err(|error| json_problem(&error))?)
     }
 
-    /// Checks a scenario given as a JSON value.
-    pub fn from_value(value: Value) -> Result<Self, ScenarioError> {
-        serde_path_to_error::deserialize(value)
-            .map_err(|error| Problem::new(error.path(), error.inner()).into())
+    /// Reads and checks a scenario given as a JSON value; the texts "nan", "inf" and "-inf" stand for such numbers.
+    pub fn from_value(value: &Value) -> Result<Self, ScenarioError> {
+        refuse_outright(value)?;
+        let mut findings = Findings::default();
+        let usable = check_structure(value, &mut findings);
+        match serde_path_to_error::deserialize(&usable) {
+            Ok(scenario) => {
+                check(&Draft::of(&scenario), &mut findings);
+                findings.into_result()?;
+                Ok(scenario)
+            }
+            Err(error) => {
+                check_parts(&usable, &mut findings);
+                findings.into_result()?;
+                // The structure check has let something pass that the structs do not take.
+                Err(Problem::new(error.path(), error.inner()).into())
+            }
+        }
+    }
+
+    /// Checks a scenario that was put together in a program.
+    pub fn check(&self) -> Result<(), ScenarioError> {
+        let table = toml::Table::try_from(self).map_err(|error| Problem::new("scenario", error))?;
+        Self::from_value(&json_of_table(table)).map(|_| ())
     }
 
     /// The scenario as a JSON value; what is absent or has its default is left out.
@@ -35,6 +63,48 @@ impl Scenario {
     pub fn to_toml(&self) -> Result<String, ScenarioError> {
         toml::to_string(self).map_err(|error| Problem::new("scenario", error).into())
     }
+}
+
+/// Refuses what it makes no sense to look at more closely: nothing at all, and a format of the future.
+fn refuse_outright(value: &Value) -> Result<(), Problem> {
+    if value.as_object().is_some_and(Map::is_empty) {
+        return Err(empty());
+    }
+    match value.get("format").and_then(Value::as_f64) {
+        Some(format) if format > f64::from(FORMAT) => Err(Problem::new(
+            "format",
+            format!("format {format} is newer than format {FORMAT}, the newest known here"),
+        )),
+        _ => Ok(()),
+    }
+}
+
+fn empty() -> Problem {
+    Problem::new("scenario", "is empty: it needs at least a table and a ball")
+}
+
+/// Checks what can be read of a scenario that cannot be read as a whole.
+fn check_parts(usable: &Value, findings: &mut Findings) {
+    let table = part(usable.get("table"));
+    let physics = part(usable.get("physics")).unwrap_or_default();
+    let method = part(usable.get("method")).unwrap_or_default();
+    let ball_defaults = part(usable.get("ball_defaults")).unwrap_or_default();
+    let balls = usable.get("balls").and_then(Value::as_array);
+    let balls: Vec<Option<Ball>> = balls.into_iter().flatten().map(|ball| part(Some(ball))).collect();
+    let draft = Draft {
+        table: table.as_ref(),
+        physics: &physics,
+        method: &method,
+        ball_defaults: &ball_defaults,
+        balls: balls.iter().map(Option::as_ref).collect(),
+        duration: part(usable.get("duration")),
+        collisions: part(usable.get("collisions")),
+    };
+    check(&draft, findings);
+}
+
+fn part<'a, T: Deserialize<'a>>(value: Option<&'a Value>) -> Option<T> {
+    value.and_then(|value| T::deserialize(value).ok())
 }
 
 fn toml_problem(text: &str, error: &toml::de::Error) -> Problem {

@@ -1,5 +1,6 @@
 //! Colours of balls.
 
+use crate::scenario::nearest::nearest;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +12,26 @@ pub enum Color {
     /// A name such as "crimson", or "#rgb" or "#rrggbb".
     Text(String),
     /// [red, green, blue], each from 0 to 1.
-    Rgb([f64; 3]),
+    Rgb(#[schemars(inner(range(min = 0.0, max = 1.0)))] [f64; 3]),
+}
+
+impl Color {
+    /// Whether this is a colour; if not, what is wrong.
+    pub fn check(&self) -> Result<(), String> {
+        let Color::Text(text) = self else { return Ok(()) };
+        let known = match text.strip_prefix('#') {
+            Some(digits) => {
+                [3, 6].contains(&digits.len()) && digits.chars().all(|digit| digit.is_ascii_hexdigit())
+            }
+            None => COLOR_NAMES.contains(&text.as_str()),
+        };
+        if known {
+            return Ok(());
+        }
+        let near =
+            nearest(text, &COLOR_NAMES).map_or_else(String::new, |near| format!("; did you mean {near}?"));
+        Err(format!("{text:?} is no CSS colour name, #rgb or #rrggbb{near}"))
+    }
 }
 
 /// The colour names of CSS (Color Module Level 4), in order; matplotlib knows the same ones.

@@ -16,17 +16,18 @@ pub enum Method {
         /// The time step, in time; positive.
         #[schemars(extend("exclusiveMinimum" = 0.0))]
         dt: f64,
-        /// What the other balls do in a step in which something is hit.
+        /// What the other balls do in a step in which something is hit; absent: wait.
         #[serde(default, skip_serializing_if = "is_default")]
         after_hit: AfterHit,
-        /// When the normal of a ball-ball contact is taken.
+        /// When the normal of a ball-ball contact is taken; absent: before.
         #[serde(default, skip_serializing_if = "is_default")]
         normal: NormalTaken,
-        /// What the last step does where the duration is no multiple of `dt`.
+        /// What the last step does where the duration is no multiple of `dt`; absent: short.
         #[serde(default, skip_serializing_if = "is_default")]
         last_step: LastStep,
         /// How many steps to make at most, in place of `duration` or beside it.
         #[serde(skip_serializing_if = "Option::is_none")]
+        #[schemars(range(max = 9_223_372_036_854_775_807_u64))]
         steps: Option<u64>,
     },
 }

@@ -42,12 +42,13 @@ pub struct Scenario {
     pub duration: Option<f64>,
     /// End after this many collisions of balls with balls and cushions.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(max = 9_223_372_036_854_775_807_u64))]
     pub collisions: Option<u64>,
     /// End after this many events of any kind. Absent: 10 000 000, or no such end where `collisions` is given.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 1))]
+    #[schemars(range(min = 1, max = 9_223_372_036_854_775_807_u64))]
     pub max_events: Option<u64>,
-    /// What a run keeps.
+    /// What a run keeps; absent: all.
     #[serde(default, skip_serializing_if = "is_default")]
     pub record: Record,
     /// The region the balls move in.

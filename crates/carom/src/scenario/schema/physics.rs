@@ -21,10 +21,10 @@ pub struct Physics {
     /// Laws of single cushions, by the cushion's id, in place of `ball_cushion`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub cushions: BTreeMap<String, BallCushion>,
-    /// How contacts at one instant are resolved.
+    /// How contacts at one instant are resolved; absent: reflections.
     #[serde(default, skip_serializing_if = "is_default")]
     pub cluster: Cluster,
-    /// What is done when a ball's contacts follow each other without end in a finite time.
+    /// What is done when a ball's contacts follow each other without end in a finite time; absent: stop.
     #[serde(default, skip_serializing_if = "is_default")]
     pub collapse: Collapse,
 }

@@ -1,7 +1,6 @@
 //! The one vocabulary of events.
 
 use crate::geometry::Vec2;
-use crate::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 
 /// What happened.

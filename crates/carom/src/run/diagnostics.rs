@@ -34,6 +34,8 @@ pub struct Diagnostics {
     pub momentum_error: f64,
     /// The largest of |energy − initial energy + losses| seen in full sums at 2^k events and at the end.
     pub energy_drift: f64,
+    /// Time that balls lost waiting for the end of a step, summed over balls; zero for an exact run.
+    pub lost_time: f64,
     /// States corrected by the engine: none, as it never does.
     pub corrections: u64,
 }

@@ -1,0 +1,16 @@
+//! Laws of single cushions: whether there are such cushions.
+
+use super::Findings;
+use crate::model;
+use crate::scenario::nearest::suggestion;
+use crate::scenario::path::Key;
+use crate::scenario::schema::Physics;
+
+/// Notes laws of cushions that do not exist.
+pub(super) fn check_laws(physics: &Physics, table: &model::Table<f64>, findings: &mut Findings) {
+    let known: Vec<&str> = table.cushions().map(|cushion| cushion.id.as_str()).collect();
+    for id in physics.cushions.keys().filter(|id| !known.contains(&id.as_str())) {
+        let message = format!("the table has no such cushion{}", suggestion(id, &known));
+        findings.add(format_args!("physics.cushions.{}", Key(id)), message);
+    }
+}
