@@ -125,9 +125,11 @@ impl Run {
 
     /// What the run found out about itself, as JSON text.
     fn diagnostics(&self) -> PyResult<String> {
-        let mut found = serde_json::to_value(&self.run.diagnostics).map_err(|error| run_error(&error.to_string()))?;
+        let mut found =
+            serde_json::to_value(&self.run.diagnostics).map_err(|error| run_error(&error.to_string()))?;
         let counts = Kind::ALL.iter().zip(self.run.diagnostics.events);
-        found["events"] = counts.map(|(kind, count)| (kind.name().to_owned(), json!(count))).collect::<Value>();
+        found["events"] =
+            counts.map(|(kind, count)| (kind.name().to_owned(), json!(count))).collect::<Value>();
         if let Some(steps) = &self.run.steps {
             found["lost_time"] = json!(steps.lost_time);
         }
@@ -136,7 +138,8 @@ impl Run {
 
     /// The one longer run, up to new limits.
     fn resume(&self, py: Python<'_>, options_json: &str) -> PyResult<Self> {
-        let unlimited = Checked { duration: None, collisions: None, ..self.scenario.clone() };
+        let unlimited =
+            Checked { duration: None, collisions: None, max_events: None, ..self.scenario.clone() };
         let (scenario, until) = scenario::with_options(&unlimited, options_json)?;
         if scenario.duration.is_some_and(|end| end < self.run.end_time) {
             return Err(problem("duration", &format!("the run has come to {:?} already", self.run.end_time)));

@@ -46,7 +46,8 @@ impl Simulation {
     fn go_on(
         &mut self,
         py: Python<'_>,
-        go_on: impl FnOnce(&mut engine::Simulation<f64>, &mut Log<f64>, &mut dyn FnMut() -> bool) -> Outcome + Send,
+        go_on: impl FnOnce(&mut engine::Simulation<f64>, &mut Log<f64>, &mut dyn FnMut() -> bool) -> Outcome
+        + Send,
     ) -> PyResult<()> {
         self.fresh.clear();
         let (simulation, log) = (&mut self.simulation, &mut self.log);

@@ -86,7 +86,8 @@ fn max_events(scenario: &Scenario) -> u64 {
 fn simulate_stepped(scenario: &Scenario, until: Option<Kind>) -> Run<f64> {
     let (readings, steps) = match &scenario.method {
         Method::Stepped { dt, after_hit, normal, last_step, steps } => {
-            let readings = Readings { dt: *dt, after_hit: *after_hit, normal: *normal, last_step: *last_step };
+            let readings =
+                Readings { dt: *dt, after_hit: *after_hit, normal: *normal, last_step: *last_step };
             (readings, steps.unwrap_or(u64::MAX))
         }
         Method::Exact => unreachable!("only called for the stepped method"),
@@ -132,14 +133,17 @@ fn rerun_part(scenario: &Scenario, saved: &Run<f64>) -> Result<Run<f64>, Simulat
     let mut log = log_of(scenario);
     let limits = limits_of(scenario, None);
     let mut simulation = Simulation::new(Arc::new(System::new(scenario)), limits, &mut log);
-    while simulation.diagnostics().total_events() < saved.diagnostics.total_events() && simulation.step(&mut log)? {}
+    while simulation.diagnostics().total_events() < saved.diagnostics.total_events()
+        && simulation.step(&mut log)?
+    {}
     simulation.run_until(saved.end_time, &mut log)?;
     simulation.stop(saved.status);
     Ok(simulation.finish(log))
 }
 
 fn first_difference(saved: &Run<f64>, now: &Run<f64>) -> Option<Difference> {
-    let difference = |place: &str, saved: String, now: String| Difference { place: place.to_owned(), saved, now };
+    let difference =
+        |place: &str, saved: String, now: String| Difference { place: place.to_owned(), saved, now };
     for (k, (a, b)) in saved.log.events.iter().zip(&now.log.events).enumerate() {
         if a != b {
             return Some(difference_of_events(k, a, b));

@@ -1,9 +1,9 @@
 //! The course exercise: two balls on a 1 x 2 table, walls that damp both components by 0.8.
 
+use carom::engine::{Limits, Simulation};
 use carom::run::{Kind, Log, Nothing, Status};
 use carom::scalar::{DoubleDouble, Dual, Scalar};
 use carom::scenario::{Scenario, System};
-use carom::engine::{Limits, Simulation};
 use carom::simulate::simulate;
 use std::sync::Arc;
 
@@ -17,7 +17,9 @@ fn midterm() -> Scenario {
 fn first_hits_come_at_their_closed_form_times() {
     let run = simulate(&midterm()).unwrap();
     let times: Vec<f64> = run.log.events.iter().map(|event| event.time).collect();
-    for e in &run.log.events { println!("{e:?}"); }
+    for e in &run.log.events {
+        println!("{e:?}");
+    }
     println!("{:?}", run.diagnostics);
     println!("{:?}", run.final_state());
     assert_eq!(run.status, Status::TimeLimit);

@@ -11,8 +11,8 @@ use crate::scalar::Scalar;
 struct Relative<S> {
     position: Vec2<S>,
     velocity: Vec2<S>,
-    /// A closing speed within round-off of zero.
-    threshold: S,
+    /// The velocities that this is the difference of.
+    speeds: [Vec2<S>; 2],
 }
 
 impl<S: Scalar> Relative<S> {
@@ -24,7 +24,7 @@ impl<S: Scalar> Relative<S> {
         Self {
             position: b.position_after(after_b) - a.position_after(after_a),
             velocity: velocity_b - velocity_a,
-            threshold: closing_threshold(velocity_a, velocity_b),
+            speeds: [velocity_a, velocity_b],
         }
     }
 }
@@ -44,21 +44,35 @@ pub fn detect_ball_ball<S: Scalar>(
     // The squared gap, whose contact tolerance is (r + δ)² − r², to first order 2 r δ.
     let gap = relative.position.norm_squared() - radii.squared();
     let tolerance = S::from_f64(2.0) * radii * tolerance.of(radii);
+    if gap <= tolerance || a.acceleration != b.acceleration {
+        return detect_near(a, b, &relative, [gap, radii], tolerance, seen);
+    }
+    let slope = relative.position.dot(relative.velocity);
+    if slope < S::ZERO { straight_meeting(&relative, slope, gap, radii) } else { None }
+}
+
+/// Two balls that touch, or whose accelerations differ.
+#[cold]
+fn detect_near<S: Scalar>(
+    a: &Flight<S>,
+    b: &Flight<S>,
+    relative: &Relative<S>,
+    [gap, radii]: [S; 2],
+    tolerance: S,
+    seen: &mut Surroundings<S>,
+) -> Option<S> {
     if gap <= tolerance {
         note_contact(gap, radii, tolerance, seen);
     }
     let acceleration = b.acceleration - a.acceleration;
     if acceleration != Vec2::ZERO {
-        return first_contact(&squared_gap(&relative, acceleration, gap), tolerance, |_| true);
+        return first_contact(&squared_gap(relative, acceleration, gap), tolerance, |_| true);
     }
+    // A closing speed within round-off of zero is none; twice the threshold of the laws, so that what is found to close
+    // here is closing for them too.
+    let threshold = closing_threshold(relative.speeds[0], relative.speeds[1]) * S::from_f64(2.0);
     let slope = relative.position.dot(relative.velocity);
-    if gap > tolerance {
-        if slope < S::ZERO { straight_meeting(&relative, slope, gap, radii) } else { None }
-    } else if slope < -(relative.threshold * radii) {
-        Some(S::ZERO)
-    } else {
-        None
-    }
+    (slope < -(threshold * radii)).then_some(S::ZERO)
 }
 
 /// Straight relative motion from apart: `s = c / (−b + √D)`, free of cancellation as `b < 0`.
@@ -86,7 +100,6 @@ fn squared_gap<S: Scalar>(relative: &Relative<S>, acceleration: Vec2<S>, gap: S)
     ])
 }
 
-#[cold]
 fn note_contact<S: Scalar>(gap: S, radii: S, tolerance: S, seen: &mut Surroundings<S>) {
     seen.touching |= gap >= -tolerance;
     seen.broken |= gap < -tolerance;

@@ -12,49 +12,88 @@ use crate::scalar::Scalar;
 ///
 /// A cushion counts only with the ball's foot on it, up to the contact tolerance past its ends, and only from its front:
 /// one that the ball is behind is ignored until the ball has come before it. Notes contact at the start in `seen`.
-#[inline(always)]
+#[inline]
 pub fn detect_ball_cushion<S: Scalar>(
     flight: &Flight<S>,
     radius: S,
-    cushion: &Face<S>,
-    tolerance: &ContactTolerance<S>,
-    seen: &mut Surroundings<S>,
-) -> Option<S> {
-    match cushion {
-        Face::Line(line) => detect_line(flight, radius, line, tolerance.of(radius), seen),
-        Face::Round(round) => detect_round(flight, radius, round, tolerance.of(radius), seen),
-    }
-}
-
-#[inline(always)]
-fn detect_line<S: Scalar>(
-    flight: &Flight<S>,
-    radius: S,
-    line: &Line<S>,
+    face: &Face<S>,
     tolerance: S,
     seen: &mut Surroundings<S>,
 ) -> Option<S> {
-    let gap = line.height(flight.position) - radius;
-    let slope = line.normal.dot(flight.velocity);
+    match face {
+        Face::Line(line) => {
+            let gap = line.height(flight.position) - radius;
+            let slope = line.normal.dot(flight.velocity);
+            if gap > tolerance && flight.is_straight() {
+                let offset = gap / -slope;
+                let meets = slope < S::ZERO && line.spans(flight.position_after(offset), tolerance);
+                return meets.then_some(offset);
+            }
+            detect_line_near(flight, line, [gap, slope], tolerance, seen)
+        }
+        Face::Round(round) => detect_round(flight, radius, round, tolerance, seen),
+    }
+}
+
+/// The first of many cushions that a ball in straight flight meets: its place and the offset. The same as asking
+/// [`detect_ball_cushion`] of each, but quicker.
+///
+/// `struck` is the place of a cushion that the ball is just leaving. Contact at the start with it is noted in the second
+/// of `seen`, with others in the first.
+#[inline(always)]
+pub fn detect_first_cushion<S: Scalar>(
+    flight: &Flight<S>,
+    radius: S,
+    faces: &[Face<S>],
+    tolerance: S,
+    struck: usize,
+    seen: &mut [Surroundings<S>; 2],
+) -> Option<(usize, S)> {
+    let (position, velocity) = (flight.position, flight.velocity);
+    let (mut place, mut first) = (usize::MAX, S::INFINITY);
+    for (number, face) in faces.iter().enumerate() {
+        let offset = if let Face::Line(line) = face {
+            let gap = line.height(position) - radius;
+            let slope = line.normal.dot(velocity);
+            if gap > tolerance {
+                let offset = gap / -slope;
+                if slope < S::ZERO && offset < first && line.spans(position + velocity * offset, tolerance) {
+                    (place, first) = (number, offset);
+                }
+                continue;
+            }
+            if number == struck && slope >= S::ZERO {
+                continue;
+            }
+            detect_line_near(flight, line, [gap, slope], tolerance, &mut seen[usize::from(number == struck)])
+        } else {
+            detect_ball_cushion(flight, radius, face, tolerance, &mut seen[usize::from(number == struck)])
+        };
+        if let Some(offset) = offset.filter(|offset| *offset < first) {
+            (place, first) = (number, offset);
+        }
+    }
+    (place != usize::MAX).then_some((place, first))
+}
+
+/// A line that the ball touches, or is behind, or approaches in a field.
+#[cold]
+fn detect_line_near<S: Scalar>(
+    flight: &Flight<S>,
+    line: &Line<S>,
+    [gap, slope]: [S; 2],
+    tolerance: S,
+    seen: &mut Surroundings<S>,
+) -> Option<S> {
     let spans = |offset| line.spans(flight.position_after(offset), tolerance);
-    let in_contact = gap <= tolerance && gap >= -tolerance;
-    if in_contact && spans(S::ZERO) {
-        seen.touching = true;
+    let touches = gap <= tolerance && gap >= -tolerance && spans(S::ZERO);
+    seen.touching |= touches;
+    if flight.is_straight() {
+        let is_closing = -slope > closing_threshold(flight.velocity, Vec2::ZERO) * S::from_f64(2.0);
+        return (touches && is_closing).then_some(S::ZERO);
     }
-    if !flight.is_straight() {
-        let bend = line.normal.dot(flight.acceleration) * S::from_f64(0.5);
-        let gap = Polynomial::new([gap, slope, bend, S::ZERO, S::ZERO]);
-        return first_contact(&gap, tolerance, spans);
-    }
-    if slope >= S::ZERO || gap < -tolerance {
-        return None;
-    }
-    if in_contact {
-        let closing = -slope > closing_threshold(flight.velocity, Vec2::ZERO);
-        return if closing && spans(S::ZERO) { Some(S::ZERO) } else { None };
-    }
-    let offset = gap / -slope;
-    if spans(offset) { Some(offset) } else { None }
+    let bend = line.normal.dot(flight.acceleration) * S::from_f64(0.5);
+    first_contact(&Polynomial::new([gap, slope, bend, S::ZERO, S::ZERO]), tolerance, spans)
 }
 
 fn detect_round<S: Scalar>(
@@ -99,9 +138,7 @@ pub fn cushion_gap<S: Scalar>(
 ) -> Option<S> {
     let tolerance = tolerance.of(radius);
     match cushion {
-        Face::Line(line) => {
-            line.spans(position, tolerance).then(|| line.height(position) - radius)
-        }
+        Face::Line(line) => line.spans(position, tolerance).then(|| line.height(position) - radius),
         Face::Round(round) => {
             let ray = position - round.arc.center;
             let distance = round.contact_distance(radius);

@@ -117,7 +117,9 @@ impl<S: Scalar> Discs<S> {
         let tolerance = self.system.tolerance.of(radius);
         let first = contacts.len();
         for (number, cushion) in self.system.faces.iter().enumerate() {
-            let Some(gap) = cushion_gap(member.position, radius, cushion, &self.system.tolerance) else { continue };
+            let Some(gap) = cushion_gap(member.position, radius, cushion, &self.system.tolerance) else {
+                continue;
+            };
             if gap.abs() > tolerance || self.is_behind(member.ball, number as u32) {
                 continue;
             }
@@ -137,13 +139,15 @@ impl<S: Scalar> Discs<S> {
         for _ in 0..CORNER_LIMIT {
             let threshold = closing_threshold(member.velocity, Vec2::ZERO);
             let speed = |c: &Contact<S>| member.velocity.dot(c.normal);
-            let strongest = contacts.iter().filter(|c| speed(c) > threshold).reduce(|best, c| {
-                if speed(c) > speed(best) { c } else { best }
-            });
+            let strongest = contacts
+                .iter()
+                .filter(|c| speed(c) > threshold)
+                .reduce(|best, c| if speed(c) > speed(best) { c } else { best });
             let Some(contact) = strongest else { return events };
             let Some(cushion) = contact.cushion else { return events };
             let (normal, scale) = self.system.faces[cushion as usize].normal_at(member.position);
-            let rebound = self.cushion_law(member.ball, cushion, time).rebound(member.velocity, normal, scale);
+            let rebound =
+                self.cushion_law(member.ball, cushion, time).rebound(member.velocity, normal, scale);
             let mass = self.system.discs[member.ball].mass;
             let impulse = (rebound.velocity - member.velocity).dot(normal) * scale * mass;
             let closing_speed = -rebound.normal_velocity;
@@ -156,7 +160,12 @@ impl<S: Scalar> Discs<S> {
     }
 
     /// Several balls: the cluster law gives the normal impulses, each cushion then adds its tangential part.
-    fn resolve_contacts(&mut self, members: &mut [Member<S>], contacts: &[Contact<S>], time: S) -> Vec<Event<S>> {
+    fn resolve_contacts(
+        &mut self,
+        members: &mut [Member<S>],
+        contacts: &[Contact<S>],
+        time: S,
+    ) -> Vec<Event<S>> {
         let mut bodies: Vec<Body<S>> = members
             .iter()
             .map(|m| Body { velocity: m.velocity, inverse_mass: self.system.discs[m.ball].inverse_mass })

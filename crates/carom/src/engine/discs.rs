@@ -4,7 +4,10 @@
 //! partner's counter tells; nobody hunts for third parties.
 
 use super::queue::Queue;
-use crate::detect::{Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_from_behind, detect_release};
+use crate::detect::{
+    Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_first_cushion,
+    detect_from_behind, detect_release,
+};
 use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::law::ball_ball::Pair;
@@ -31,6 +34,15 @@ pub enum Target {
     Release(u32),
 }
 
+/// What binds a ball to a cushion from before.
+enum Past {
+    None,
+    /// The cushion holds it.
+    Held,
+    /// It is a point on the other face of the thin wall.
+    Behind,
+}
+
 /// A ball's next event.
 #[derive(Clone, Copy, Debug)]
 pub struct Pending<S> {
@@ -51,6 +63,7 @@ pub struct Discs<S> {
     pub(super) pending: Vec<Pending<S>>,
     pub(super) queue: Queue<S>,
     pub(super) diagnostics: Diagnostics,
+    pub(super) has_field: bool,
     /// The ball whose events follow each other without end.
     pub(super) collapsed: Option<u32>,
     /// A pair found deeper in each other than the tolerance.
@@ -79,6 +92,7 @@ impl<S: Scalar> Discs<S> {
             pending: vec![Pending::NEVER; balls],
             queue: Queue::new(balls),
             diagnostics: Diagnostics::default(),
+            has_field: system.field != Vec2::ZERO,
             collapsed: None,
             broken: None,
             system,
@@ -96,6 +110,7 @@ impl<S: Scalar> Discs<S> {
             pending: vec![Pending::NEVER; balls],
             queue: Queue::new(balls),
             diagnostics: run.diagnostics.clone(),
+            has_field: run.system.field != Vec2::ZERO,
             collapsed: None,
             broken: None,
             system: run.system.clone(),
@@ -129,73 +144,128 @@ impl<S: Scalar> Discs<S> {
     /// Finds a ball's next event. `struck` is what it has just been in contact with, and does not count as touching.
     #[inline]
     pub(super) fn predict(&mut self, ball: usize, struck: Target) -> Surroundings<S> {
+        let mut seen = [Surroundings::CLEAR; 2];
+        let next = self.next_cushion(ball, struck, &mut seen);
+        let next = self.next_ball(ball, struck, next, &mut seen);
+        let next = if self.tracks[ball].is_held() { self.earlier_release(ball, next) } else { next };
+        self.pending[ball] = next;
+        self.queue.set(ball, next.time);
+        self.diagnostics.predictions += 1;
+        if seen[0].overlap > S::ZERO || seen[1].overlap > S::ZERO {
+            self.note_overlap(ball, &seen);
+        }
+        seen[0]
+    }
+
+    /// The first cushion that a ball meets. `seen` is what it sees of others and, second, of the one just struck.
+    #[inline(always)]
+    fn next_cushion(&self, ball: usize, struck: Target, seen: &mut [Surroundings<S>; 2]) -> Pending<S> {
         let system = &*self.system;
-        let flight = self.flights[ball];
-        let track = self.tracks[ball];
+        let flight = &self.flights[ball];
+        if system.has_backs || !flight.is_straight() {
+            return self.next_cushion_in_field(ball, struck, seen);
+        }
         let radius = system.discs[ball].radius;
-        let mut seen = Surroundings::CLEAR;
-        let mut met = Surroundings::CLEAR;
+        let struck = if let Target::Cushion(cushion) = struck { cushion as usize } else { usize::MAX };
+        let tolerance = system.tolerance.of(radius);
+        match detect_first_cushion(flight, radius, &system.faces, tolerance, struck, seen) {
+            Some((cushion, offset)) => {
+                Pending { time: flight.start + offset, offset, target: Target::Cushion(cushion as u32) }
+            }
+            None => Pending::NEVER,
+        }
+    }
+
+    /// The same for a ball in a field, where a cushion may hold it, or on a table with thin walls.
+    fn next_cushion_in_field(
+        &self,
+        ball: usize,
+        struck: Target,
+        seen: &mut [Surroundings<S>; 2],
+    ) -> Pending<S> {
+        let system = &*self.system;
+        let flight = &self.flights[ball];
+        let radius = system.discs[ball].radius;
+        let tolerance = system.tolerance.of(radius);
         let mut next = Pending::NEVER;
-        for (number, cushion) in system.faces.iter().enumerate() {
+        for (number, face) in system.faces.iter().enumerate() {
             let target = Target::Cushion(number as u32);
-            if track.is_held() && track.held_by.contains(&Some(number as u32)) {
-                continue;
-            }
-            if self.is_behind(ball, number as u32) {
-                next = next.earlier(flight.start, self.detect_round_the_wall(ball, cushion), target);
-                continue;
-            }
-            let note = if target == struck { &mut met } else { &mut seen };
-            let offset = detect_ball_cushion(&flight, radius, cushion, &system.tolerance, note);
+            let note = &mut seen[usize::from(target == struck)];
+            let offset = match self.past(ball, number as u32) {
+                Past::Held => None,
+                Past::Behind => self.detect_round_the_wall(ball, face),
+                Past::None => detect_ball_cushion(flight, radius, face, tolerance, note),
+            };
             next = next.earlier(flight.start, offset, target);
         }
-        for (other, their) in self.flights.iter().enumerate() {
-            let radii = radius + system.discs[other].radius;
+        next
+    }
+
+    /// The first ball that a ball meets, if it does so before its event `next`.
+    #[inline(always)]
+    fn next_ball(
+        &self,
+        ball: usize,
+        struck: Target,
+        next: Pending<S>,
+        seen: &mut [Surroundings<S>; 2],
+    ) -> Pending<S> {
+        let system = &*self.system;
+        let flight = &self.flights[ball];
+        let radius = system.discs[ball].radius;
+        let struck = if let Target::Ball(other, _) = struck { other as usize } else { usize::MAX };
+        let mut next = next;
+        for (other, (their, disc)) in self.flights.iter().zip(&system.discs).enumerate() {
+            let radii = radius + disc.radius;
             if other == ball || radii == S::ZERO {
                 continue;
             }
-            let is_struck = matches!(struck, Target::Ball(partner, _) if partner as usize == other);
-            let note = if is_struck { &mut met } else { &mut seen };
-            let offset = detect_ball_ball(&flight, their, radii, &system.tolerance, note);
-            let start = if flight.start > their.start { flight.start } else { their.start };
-            next = next.earlier(start, offset, Target::Ball(other as u32, self.tracks[other].changes));
+            let note = &mut seen[usize::from(other == struck)];
+            if let Some(offset) = detect_ball_ball(flight, their, radii, &system.tolerance, note) {
+                let start = if flight.start > their.start { flight.start } else { their.start };
+                if start + offset < next.time {
+                    let target = Target::Ball(other as u32, self.tracks[other].changes);
+                    next = Pending { time: start + offset, offset, target };
+                }
+            }
         }
-        if self.tracks[ball].is_held() {
-            next = self.earlier_release(ball, next);
-        }
-        self.pending[ball] = next;
-        self.queue.set(ball, next.time);
-        self.note(ball, &seen, &met);
-        seen
+        next
     }
 
-    #[inline(always)]
-    fn note(&mut self, ball: usize, seen: &Surroundings<S>, met: &Surroundings<S>) {
-        self.diagnostics.predictions += 1;
-        for surroundings in [seen, met] {
-            if surroundings.overlap > S::ZERO {
-                self.diagnostics.deepest_overlap =
-                    self.diagnostics.deepest_overlap.max(surroundings.overlap.to_f64());
-            }
+    #[cold]
+    fn note_overlap(&mut self, ball: usize, seen: &[Surroundings<S>; 2]) {
+        for surroundings in seen {
+            let deepest = &mut self.diagnostics.deepest_overlap;
+            *deepest = deepest.max(surroundings.overlap.to_f64());
             if surroundings.broken {
                 self.broken = Some(ball as u32);
             }
         }
     }
 
+    fn past(&self, ball: usize, cushion: u32) -> Past {
+        if self.tracks[ball].held_by.contains(&Some(cushion)) {
+            Past::Held
+        } else if self.is_behind(ball, cushion) {
+            Past::Behind
+        } else {
+            Past::None
+        }
+    }
+
     /// Whether a ball is a point on the other face of the thin wall that a cushion is one face of.
-    #[inline(always)]
     pub(super) fn is_behind(&self, ball: usize, cushion: u32) -> bool {
         let last = self.tracks[ball].last_cushion;
-        self.system.has_backs
-            && last.is_some()
+        last.is_some()
             && self.system.backs[cushion as usize] == last
             && self.system.discs[ball].radius == S::ZERO
     }
 
     fn detect_round_the_wall(&self, ball: usize, cushion: &Face<S>) -> Option<S> {
         match cushion {
-            Face::Line(line) => detect_from_behind(&self.flights[ball], line, self.system.tolerance.of(S::ZERO)),
+            Face::Line(line) => {
+                detect_from_behind(&self.flights[ball], line, self.system.tolerance.of(S::ZERO))
+            }
             Face::Round(_) => None,
         }
     }
@@ -252,9 +322,16 @@ impl<S: Scalar> Discs<S> {
     }
 
     #[inline]
-    fn strike_cushion(&mut self, ball: usize, cushion: u32, pending: &Pending<S>, observer: &mut impl Observer<S>) {
+    fn strike_cushion(
+        &mut self,
+        ball: usize,
+        cushion: u32,
+        pending: &Pending<S>,
+        observer: &mut impl Observer<S>,
+    ) {
         let before = self.flights[ball];
-        let (position, velocity) = (before.position_after(pending.offset), before.velocity_after(pending.offset));
+        let (position, velocity) =
+            (before.position_after(pending.offset), before.velocity_after(pending.offset));
         let disc = self.system.discs[ball];
         let (normal, scale) = self.system.faces[cushion as usize].normal_at(position);
         let rebound = self.cushion_law(ball, cushion, pending.time).rebound(velocity, normal, scale);
@@ -285,18 +362,25 @@ impl<S: Scalar> Discs<S> {
         if event.closing_speed > closing_threshold(velocity, Vec2::ZERO) {
             self.emit(&event, observer);
         }
-        if self.settle(ball, &[cushion], observer) {
+        if self.has_field && self.settle(ball, &[cushion], observer) {
             self.predict(ball, Target::Cushion(cushion));
         }
         observer.flight(ball, &self.flights[ball]);
     }
 
-    fn strike_ball(&mut self, ball: usize, other: usize, pending: &Pending<S>, observer: &mut impl Observer<S>) {
+    fn strike_ball(
+        &mut self,
+        ball: usize,
+        other: usize,
+        pending: &Pending<S>,
+        observer: &mut impl Observer<S>,
+    ) {
         let (a, b) = if ball < other { (ball, other) } else { (other, ball) };
         let before = [self.flights[a], self.flights[b]];
         let tracks = [self.tracks[a], self.tracks[b]];
         let start = if before[0].start > before[1].start { before[0].start } else { before[1].start };
-        let [(position_a, velocity_a), (position_b, velocity_b)] = before.map(|f| state_after(&f, start, pending.offset));
+        let [(position_a, velocity_a), (position_b, velocity_b)] =
+            before.map(|f| state_after(&f, start, pending.offset));
         let discs = [self.system.discs[a], self.system.discs[b]];
         let pair = Pair::new([&discs[0], &discs[1]], position_b - position_a, [velocity_a, velocity_b]);
         let law = self.ball_law(a, b, pending.time);
@@ -316,7 +400,12 @@ impl<S: Scalar> Discs<S> {
             self.strike_cluster(&struck, pending.time, observer);
             return;
         }
-        self.account_pair(&discs.map(|d| d.mass), [velocity_a, velocity_b], [after_a, after_b], law.energy_loss(&pair));
+        self.account_pair(
+            &discs.map(|d| d.mass),
+            [velocity_a, velocity_b],
+            [after_a, after_b],
+            law.energy_loss(&pair),
+        );
         let event = Event {
             time: pending.time,
             kind: Kind::BallBall,
@@ -408,7 +497,8 @@ impl<S: Scalar> Discs<S> {
 
     #[inline(always)]
     fn is_in_burst(&self, ball: usize, time: S) -> bool {
-        self.system.collapse_is_elastic && time - self.tracks[ball].last_contact < self.system.collapse_times[ball]
+        self.system.collapse_is_elastic
+            && time - self.tracks[ball].last_contact < self.system.collapse_times[ball]
     }
 }
 

@@ -11,7 +11,7 @@ impl<S: Scalar> Discs<S> {
     /// Holds a ball on those of the cushions it touches from which its next bounce would last less than t_c: its normal
     /// velocity becomes zero and its acceleration the projection on the cushion. Says whether any holds it.
     pub(super) fn settle(&mut self, ball: usize, touched: &[u32], observer: &mut impl Observer<S>) -> bool {
-        if self.system.field == Vec2::ZERO {
+        if !self.has_field {
             return false;
         }
         let mut flight = self.flights[ball];
@@ -70,7 +70,8 @@ impl<S: Scalar> Discs<S> {
         observer: &mut impl Observer<S>,
     ) {
         let flight = self.flights[ball];
-        let (position, velocity) = (flight.position_after(pending.offset), flight.velocity_after(pending.offset));
+        let (position, velocity) =
+            (flight.position_after(pending.offset), flight.velocity_after(pending.offset));
         let (normal, _) = self.system.faces[cushion as usize].normal_at(position);
         self.begin_flight(ball, pending.time, position, velocity);
         self.predict(ball, Target::Nothing);

@@ -23,17 +23,13 @@ impl<S: Scalar> Flight<S> {
     /// Position a time `elapsed` after the start.
     #[inline(always)]
     pub fn position_after(&self, elapsed: S) -> Vec2<S> {
-        if self.is_straight() {
-            self.position + self.velocity * elapsed
-        } else {
-            self.position + (self.velocity + self.acceleration * (elapsed * S::from_f64(0.5))) * elapsed
-        }
+        self.position + (self.velocity + self.acceleration * (elapsed * S::from_f64(0.5))) * elapsed
     }
 
     /// Velocity a time `elapsed` after the start.
     #[inline(always)]
     pub fn velocity_after(&self, elapsed: S) -> Vec2<S> {
-        if self.is_straight() { self.velocity } else { self.velocity + self.acceleration * elapsed }
+        self.velocity + self.acceleration * elapsed
     }
 
     /// Whether the flight has no acceleration.

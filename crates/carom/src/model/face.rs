@@ -25,6 +25,10 @@ pub struct Line<S> {
     pub normal_scale: S,
     /// Length.
     pub length: S,
+    /// `normal · start`, from which heights are measured.
+    pub level: S,
+    /// `along · start`, from which feet are measured.
+    pub origin: S,
 }
 
 /// A circular cushion: an arc, a full circle, or a corner point (a full circle of radius zero).
@@ -43,7 +47,8 @@ impl<S: Scalar> Face<S> {
                 let along = segment.along().unit();
                 let normal = along.left();
                 let normal_scale = S::ONE / normal.norm_squared();
-                Face::Line(Line { start: segment.start, along, normal, normal_scale, length })
+                let (level, origin) = (normal.dot(segment.start), along.dot(segment.start));
+                Face::Line(Line { start: segment.start, along, normal, normal_scale, length, level, origin })
             }
             Piece::Arc(arc) => Face::Round(Round { arc: *arc }),
         }
@@ -71,13 +76,13 @@ impl<S: Scalar> Line<S> {
     /// Signed distance of a point from the line, positive on the table's side.
     #[inline(always)]
     pub fn height(&self, point: Vec2<S>) -> S {
-        self.normal.dot(point - self.start)
+        self.normal.dot(point) - self.level
     }
 
     /// Whether the foot of a point lies on the segment, up to `tolerance` past both ends.
     #[inline(always)]
     pub fn spans(&self, point: Vec2<S>, tolerance: S) -> bool {
-        let foot = self.along.dot(point - self.start);
+        let foot = self.along.dot(point) - self.origin;
         foot >= -tolerance && foot <= self.length + tolerance
     }
 }

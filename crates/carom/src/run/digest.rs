@@ -18,7 +18,11 @@ pub struct Digest {
 /// The digest of `events` events and the state (position, velocity of each ball) at `end_time`.
 ///
 /// Negative zero counts as zero. `None` if any number is NaN.
-pub fn digest(events: u64, end_time: f64, state: impl Iterator<Item = (Vec2<f64>, Vec2<f64>)>) -> Option<Digest> {
+pub fn digest(
+    events: u64,
+    end_time: f64,
+    state: impl Iterator<Item = (Vec2<f64>, Vec2<f64>)>,
+) -> Option<Digest> {
     let mut hasher = Sha256::new();
     let mut is_complete = true;
     let mut add = |value: f64| {

@@ -254,12 +254,7 @@ fn numbers(flight: &Flight<f64>) -> [f64; 6] {
 }
 
 fn flight(start: f64, [x, y, vx, vy, ax, ay]: [f64; 6]) -> Flight<f64> {
-    Flight {
-        start,
-        position: Vec2::new(x, y),
-        velocity: Vec2::new(vx, vy),
-        acceleration: Vec2::new(ax, ay),
-    }
+    Flight { start, position: Vec2::new(x, y), velocity: Vec2::new(vx, vy), acceleration: Vec2::new(ax, ay) }
 }
 
 fn ball_entry((flight, track): &(Flight<f64>, Track<f64>)) -> BallEntry {

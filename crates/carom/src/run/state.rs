@@ -61,7 +61,9 @@ pub enum QueryError {
         end: f64,
     },
     /// The run did not keep its flights.
-    #[error("the run kept no flights, so only the state at its end, {end}, is known; run with record = \"all\"")]
+    #[error(
+        "the run kept no flights, so only the state at its end, {end}, is known; run with record = \"all\""
+    )]
     NotKept {
         /// The end of the run.
         end: f64,

@@ -52,7 +52,9 @@ pub enum SimulationError {
         depth: f64,
     },
     /// Balls move, and nothing stops them: one has left the table.
-    #[error("ball {ball} moves after time {time} and never meets anything again, although the run has no duration")]
+    #[error(
+        "ball {ball} moves after time {time} and never meets anything again, although the run has no duration"
+    )]
     Escape {
         /// Its name.
         ball: String,

@@ -185,7 +185,8 @@ fn flights<S: Scalar>(scenario: &Scenario, field: Vec2<S>, number: Number<'_, S>
             (Some(velocity), _) => vector("velocity", velocity),
             (None, Some(speed)) => {
                 let speed = number(&format_args!("balls[{k}].speed"), speed);
-                let degrees = number(&format_args!("balls[{k}].direction_deg"), ball.direction_deg.unwrap_or(0.0));
+                let degrees =
+                    number(&format_args!("balls[{k}].direction_deg"), ball.direction_deg.unwrap_or(0.0));
                 let (x, y) = direction(degrees);
                 Vec2::new(x, y) * speed
             }
@@ -210,7 +211,8 @@ fn cushion_ids<S: Scalar>(table: &Table<S>) -> Vec<String> {
 fn backs<S: Scalar>(faces: &[Face<S>], tolerance: S) -> Vec<Option<u32>> {
     let back = |face: &Face<S>| {
         let Face::Line(line) = face else { return None };
-        let is_back = |other: &Face<S>| matches!(other, Face::Line(other) if is_back_of(line, other, tolerance));
+        let is_back =
+            |other: &Face<S>| matches!(other, Face::Line(other) if is_back_of(line, other, tolerance));
         faces.iter().position(is_back).map(|k| k as u32)
     };
     faces.iter().map(back).collect()
@@ -228,7 +230,8 @@ fn is_back_of<S: Scalar>(line: &Line<S>, other: &Line<S>, tolerance: S) -> bool 
 
 /// `1e-3 √(2r/|a|)` in a field, `1e-6 r/v_max` without; for a point, r is a thousandth of the table.
 fn collapse_times<S: Scalar>(discs: &[Disc<S>], flights: &[Flight<S>], field: Vec2<S>, size: S) -> Vec<S> {
-    let fastest = flights.iter().map(|f| f.velocity.norm_squared()).fold(S::ZERO, |a, b| if b > a { b } else { a });
+    let fastest =
+        flights.iter().map(|f| f.velocity.norm_squared()).fold(S::ZERO, |a, b| if b > a { b } else { a });
     let time = |disc: &Disc<S>| {
         let length = if disc.radius > S::ZERO { disc.radius } else { size * S::from_f64(1e-3) };
         if field != Vec2::ZERO {

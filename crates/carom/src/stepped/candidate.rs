@@ -89,10 +89,10 @@ pub fn candidates<S: Scalar>(
     for a in 0..balls.len() {
         for b in a + 1..balls.len() {
             let radii = discs[a].radius + discs[b].radius;
-            found.extend(ball_candidate([balls[a], balls[b]], radii, length).map(|after| Candidate {
-                after,
-                contact: Contact::Balls(a, b),
-            }));
+            found.extend(
+                ball_candidate([balls[a], balls[b]], radii, length)
+                    .map(|after| Candidate { after, contact: Contact::Balls(a, b) }),
+            );
         }
     }
     for (ball, &state) in balls.iter().enumerate() {

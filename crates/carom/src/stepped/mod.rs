@@ -135,7 +135,8 @@ impl<S: Scalar> Scheme<S> {
         for candidate in &taken {
             self.hit(candidate);
             let lost = (length - candidate.after).to_f64();
-            self.steps.lost_time += lost * if matches!(candidate.contact, Contact::Balls(..)) { 2.0 } else { 1.0 };
+            self.steps.lost_time +=
+                lost * if matches!(candidate.contact, Contact::Balls(..)) { 2.0 } else { 1.0 };
         }
         self.advance_clock(length, restarts, is_last, duration);
         self.note_overlap();
@@ -255,9 +256,11 @@ impl<S: Scalar> Scheme<S> {
         self.steps.steps.push(Step { time: self.time, balls: self.balls.clone(), hits });
         self.diagnostics.final_energy = self.energy();
         self.diagnostics.lost_time = self.steps.lost_time;
-        let drift = self.diagnostics.final_energy - self.diagnostics.initial_energy + self.diagnostics.energy_loss;
+        let drift =
+            self.diagnostics.final_energy - self.diagnostics.initial_energy + self.diagnostics.energy_loss;
         self.diagnostics.energy_drift = drift.abs();
-        let flight = |(position, velocity)| Flight { start: self.time, position, velocity, acceleration: Vec2::ZERO };
+        let flight =
+            |(position, velocity)| Flight { start: self.time, position, velocity, acceleration: Vec2::ZERO };
         let balls = self.balls.iter().map(|&ball| (flight(ball), Track::new())).collect();
         let mut run = Run::new(self.system, (status, self.time), self.diagnostics, self.log, balls);
         run.steps = Some(self.steps);

@@ -43,7 +43,11 @@ fn pivot<S: Scalar>(matrix: &[Vec<S>], rates: &[S], active: &mut [bool]) -> Vec<
     let mut solution = solve_active(matrix, rates, active);
     for _ in 0..size * size + 16 {
         let wrong = (0..size).find(|&k| {
-            if active[k] { solution[k] * matrix[k][k] < -slack } else { rate(matrix, rates, &solution, k) < -slack }
+            if active[k] {
+                solution[k] * matrix[k][k] < -slack
+            } else {
+                rate(matrix, rates, &solution, k) < -slack
+            }
         });
         let Some(k) = wrong else { break };
         active[k] = !active[k];

@@ -68,7 +68,12 @@ fn bounce_share<S: Scalar>(
     if given > taken { (taken / given).sqrt() } else { S::ONE }
 }
 
-fn quadratic_form<S: Scalar>(bodies: &[Body<S>], touches: &[Touch<S>], closing: &[usize], impulses: &[S]) -> S {
+fn quadratic_form<S: Scalar>(
+    bodies: &[Body<S>],
+    touches: &[Touch<S>],
+    closing: &[usize],
+    impulses: &[S],
+) -> S {
     let mut sum = S::ZERO;
     for (&k, &p) in closing.iter().zip(impulses) {
         for (&l, &q) in closing.iter().zip(impulses) {
