@@ -1,33 +1,58 @@
 """The command line: what it prints, writes, refuses, and with which exit code."""
 
 import csv
+import io
 import json
 import os
 import signal
 import subprocess
 import sys
 import time
+from contextlib import redirect_stderr, redirect_stdout
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import carom
+from carom.cli import main
 
 RUN_FILES = {"events.csv", "trajectory.csv", "run.json"}
 FIGURES = {"filmstrip", "paths", "energy", "speed", "momentum"}
 ESCAPE = "\x1b"
 
 
-def shell(*words: object, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "carom", *map(str, words)]
-    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", cwd=cwd, check=False)
+@dataclass
+class Done:
+    code: object
+    stdout: str
+    stderr: str
 
 
-def fine(*words: object, cwd: Path | None = None) -> str:
-    done = shell(*words, cwd=cwd)
-    assert (done.returncode, done.stderr) == (0, ""), done.stderr
+def shell(*words: object) -> Done:
+    """Give a command to the program, in this process: starting a new one for each test takes long."""
+    out, err = io.StringIO(), io.StringIO()
+    with pytest.MonkeyPatch.context() as patch, redirect_stdout(out), redirect_stderr(err):
+        patch.setattr(sys, "argv", ["carom", *map(str, words)])
+        with pytest.raises(SystemExit) as ended:
+            main()
+    return Done(ended.value.code or 0, out.getvalue(), err.getvalue())
+
+
+def fine(*words: object) -> str:
+    done = shell(*words)
+    assert (done.code, done.stderr) == (0, ""), done.stderr
     return done.stdout
+
+
+def process(*words: object, **more: str) -> subprocess.CompletedProcess[str]:
+    """Give a command to the program in a process of its own."""
+    command = [sys.executable, "-m", "carom", *map(str, words)]
+    environment = {**os.environ, **more}
+    return subprocess.run(
+        command, capture_output=True, text=True, encoding="utf-8", env=environment, check=False
+    )
 
 
 def rows_of(path: Path) -> list[dict[str, str]]:
@@ -42,8 +67,11 @@ def names_in(folder: Path) -> set[str]:
 # carom run
 
 
-def test_run_prints_events_and_diagnostics_and_writes_nothing(tmp_path: Path, run: carom.Run) -> None:
-    printed = fine("run", "midterm", cwd=tmp_path)
+def test_run_prints_events_and_diagnostics_and_writes_nothing(
+    tmp_path: Path, run: carom.Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    printed = fine("run", "midterm")
     events, diagnostics = printed.split("\n\n")
     head, *rows = [line.split("\t") for line in events.splitlines()]
     assert head[:2] == ["time", "kind"]
@@ -55,20 +83,10 @@ def test_run_prints_events_and_diagnostics_and_writes_nothing(tmp_path: Path, ru
 
 
 def test_piped_output_has_no_colours(tmp_path: Path) -> None:
-    environment = {**os.environ, "FORCE_COLOR": "1", "TERM": "xterm-256color"}
-    command = [
-        sys.executable,
-        "-m",
-        "carom",
-        "run",
-        "midterm",
-        "--out",
-        str(tmp_path / "out"),
-        "--no-figures",
-    ]
-    done = subprocess.run(command, capture_output=True, text=True, env=environment, check=True)
-    assert ESCAPE not in done.stdout + done.stderr
-    assert done.stderr == ""
+    options = ("--out", tmp_path / "out", "--no-figures")
+    done = process("run", "midterm", *options, FORCE_COLOR="1", TERM="xterm-256color")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert ESCAPE not in done.stdout
 
 
 def test_run_writes_tables_figures_and_film(tmp_path: Path, run: carom.Run) -> None:
@@ -114,7 +132,7 @@ def test_a_folder_that_holds_a_run_is_refused(tmp_path: Path) -> None:
     fine(*options)
     before = (tmp_path / "out" / "run.json").stat().st_mtime_ns
     refused = shell(*options, "--duration", "1")
-    assert (refused.returncode, refused.stdout) == (1, "")
+    assert (refused.code, refused.stdout) == (1, "")
     assert refused.stderr.startswith("error: --out: ")
     assert "--overwrite" in refused.stderr
     assert (tmp_path / "out" / "run.json").stat().st_mtime_ns == before
@@ -152,7 +170,7 @@ def test_limits_end_a_run() -> None:
 
 def test_an_event_budget_that_was_not_asked_for_is_no_success() -> None:
     done = shell("run", "midterm", "--set", "max_events=2")
-    assert done.returncode == 1
+    assert done.code == 1
     assert done.stderr.startswith("error: run: ended by event_limit")
 
 
@@ -166,7 +184,7 @@ def test_runs_that_kept_little_write_little(tmp_path: Path) -> None:
 
 def test_every_problem_is_one_line_with_its_place() -> None:
     done = shell("run", "midterm", "--set", "balls.red.radius=-1", "--set", "duration=-5")
-    assert (done.returncode, done.stdout) == (1, "")
+    assert (done.code, done.stdout) == (1, "")
     lines = done.stderr.splitlines()
     assert len(lines) == 2
     assert all(line.startswith("error: ") for line in lines)
@@ -186,11 +204,14 @@ def test_every_problem_is_one_line_with_its_place() -> None:
         ("bench", "no-such-scenario"),
     ],
 )
-def test_problems_are_reported_without_traceback(words: tuple[str, ...], tmp_path: Path) -> None:
-    done = shell(*words, cwd=tmp_path)
-    assert done.returncode == 1
-    assert done.stderr.startswith("error: ")
-    assert "Traceback" not in done.stderr
+def test_problems_are_reported_line_by_line(
+    words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = shell(*words)
+    assert done.code == 1
+    assert all(line.startswith("error: ") for line in done.stderr.splitlines())
+    assert done.stderr
     assert not names_in(tmp_path)
 
 
@@ -210,23 +231,30 @@ def test_problems_are_reported_without_traceback(words: tuple[str, ...], tmp_pat
     ],
 )
 def test_wrong_usage_exits_with_2(words: tuple[str, ...]) -> None:
-    done = shell(*words)
-    assert done.returncode == 2
-    assert "Traceback" not in done.stderr
+    assert shell(*words).code == 2
+
+
+def test_a_process_of_its_own_exits_with_the_same_codes() -> None:
+    assert process("check", "midterm").returncode == 0
+    wrong = process("check", "midtrem")
+    assert (wrong.returncode, wrong.stdout) == (1, "")
+    assert wrong.stderr.startswith("error: ")
+    assert "Traceback" not in wrong.stderr
+    assert process("check").returncode == 2
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent differently there")
 def test_an_interrupted_run_leaves_nothing_and_exits_with_130(tmp_path: Path) -> None:
     words = ["run", "midterm", "--set", "duration=400", "--out", str(tmp_path / "out"), "--no-figures"]
-    process = subprocess.Popen(
+    child = subprocess.Popen(
         [sys.executable, "-m", "carom", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
     deadline = time.monotonic() + 60.0
     while not list(tmp_path.glob(".out.*/.animation.*.gif")) and time.monotonic() < deadline:
         time.sleep(0.02)
-    process.send_signal(signal.SIGINT)
-    printed, said = process.communicate(timeout=60)
-    assert process.returncode == 130
+    child.send_signal(signal.SIGINT)
+    printed, said = child.communicate(timeout=60)
+    assert child.returncode == 130
     assert printed == ""
     assert said.startswith("interrupted")
     assert len(said.splitlines()) == 1
@@ -249,7 +277,7 @@ def test_compare_writes_its_table_and_figure(tmp_path: Path) -> None:
     fine("compare", "midterm", "--dt", "0.03,0.01", "--out", out, "--format", "png,pdf")
     assert names_in(out) == {"comparison.csv", "errors.png", "errors.pdf"}
     assert [float(row["dt"]) for row in rows_of(out / "comparison.csv")] == [0.03, 0.01]
-    assert shell("compare", "midterm", "--dt", "0.1", "--out", out).returncode == 1
+    assert shell("compare", "midterm", "--dt", "0.1", "--out", out).code == 1
 
 
 def test_check_lists_every_problem(tmp_path: Path) -> None:
@@ -258,7 +286,7 @@ def test_check_lists_every_problem(tmp_path: Path) -> None:
     path = tmp_path / "wrong.toml"
     path.write_text(text, encoding="utf-8")
     done = shell("check", path)
-    assert done.returncode == 1
+    assert done.code == 1
     assert done.stderr.startswith("error: ")
     found = json.loads(shell("check", path, "--json").stdout)
     assert not found["sound"]
@@ -276,7 +304,7 @@ def test_verify_says_whether_the_bits_are_the_same(tmp_path: Path, run: carom.Ru
     assert time_of_contact in text
     path.write_text(text.replace(time_of_contact, moved), encoding="utf-8")
     done = shell("verify", path)
-    assert done.returncode == 1
+    assert done.code == 1
     assert done.stderr.startswith("error: ")
 
 
@@ -286,7 +314,7 @@ def test_scenarios_are_listed_and_copied(tmp_path: Path) -> None:
     for name in ("mine.toml", "mine.json"):
         fine("scenarios", "--copy", "midterm", tmp_path / name)
         assert carom.load(tmp_path / name) == carom.load("midterm")
-    assert shell("scenarios", "--copy", "midterm", tmp_path / "mine.toml").returncode == 1
+    assert shell("scenarios", "--copy", "midterm", tmp_path / "mine.toml").code == 1
     fine("scenarios", "--copy", "midterm", tmp_path / "mine.toml", "--overwrite")
 
 

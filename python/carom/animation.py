@@ -314,5 +314,6 @@ def _counting(frames: Iterable[Image], total: int, progress: bool | None) -> Ite
     from rich.console import Console
     from rich.progress import Progress
 
-    with Progress(console=Console(stderr=True), transient=True) as bar:
+    console = Console(stderr=True, force_terminal=progress)
+    with Progress(console=console, transient=True) as bar:
         yield bar.track(frames, total=total, description="film")

@@ -72,13 +72,13 @@ def print_table(columns: Mapping[str, Sequence[Any]], *, title: str = "", most: 
     from rich.console import Console
     from rich.table import Table
 
-    shown = rows if most is None or len(rows) <= most else rows[:most]
+    shown = list(zip(*map(_short_texts, columns.values()), strict=True))[:most]
     table = Table(title=title or None, title_justify="left", box=box.SIMPLE_HEAD, pad_edge=False)
     for name, values in columns.items():
         numeric = all(isinstance(value, (int, float)) for value in values)
         table.add_column(name, justify="right" if numeric else "left")
     for row in shown:
-        table.add_row(*(_short_text(value) for value in row))
+        table.add_row(*row)
     if len(shown) < len(rows):
         table.caption = f"and {len(rows) - len(shown)} more"
     Console(highlight=False).print(table)
@@ -87,6 +87,15 @@ def print_table(columns: Mapping[str, Sequence[Any]], *, title: str = "", most: 
 def _exact_text(value: Any) -> str:
     """Give a value in full: floats so that they read back to the same bits, nothing for what is absent."""
     return "" if value is None else str(value)
+
+
+def _short_texts(column: Sequence[Any]) -> list[str]:
+    """Give a column to look at: six digits, and zero for what is only round-off beside the column's largest."""
+    floats = [abs(value) for value in column if isinstance(value, float)]
+    least = 1e-12 * max(floats) if len(floats) == len(column) and floats else 0.0
+    return [
+        _short_text(0.0 if isinstance(value, float) and abs(value) < least else value) for value in column
+    ]
 
 
 def _short_text(value: Any) -> str:

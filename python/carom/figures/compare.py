@@ -34,15 +34,12 @@ def plot_errors(comparison: Comparison, ax: Axes | None = None) -> Axes:
     Axes
     """
     scene = Scene.of(comparison.exact.scenario)
-    ax = style.new_axes(4.8, 3.6) if ax is None else ax
+    ax = style.new_axes(4.8, 3.6, legend_rows=3) if ax is None else ax
     table = comparison.table
     positive = table["error"] > 0
     good = positive & (table["missed"] == 0) & (table["extra"] == 0)
     steps, errors = table["dt"], table["error"]
     colour = style.PALETTE[1]
-    _draw_guide(
-        ax, steps[good] if good.any() else steps[positive], errors[good] if good.any() else errors[positive]
-    )
     for chosen, face, label in (
         (good, colour, _name_order("same events as the exact run", comparison.order)),
         (positive & ~good, "white", "events missed or added"),
@@ -59,6 +56,9 @@ def plot_errors(comparison: Comparison, ax: Axes | None = None) -> Axes:
                 label=label,
                 zorder=3,
             )
+    _draw_guide(
+        ax, steps[good] if good.any() else steps[positive], errors[good] if good.any() else errors[positive]
+    )
     ax.set_xscale("log")
     ax.set_yscale("log")
     style.tidy_axes(ax)

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 
 from carom.figures import style
-from carom.figures.moments import frame_times, just_before
+from carom.figures.moments import default_event, frame_times, just_before
 from carom.figures.scene import Scene
 from carom.figures.table import arrow_scale, draw_arrow, draw_balls, draw_table, framed_ratio, table_contains
 
@@ -68,7 +68,8 @@ def filmstrip(
     run : Run
         The run to show.
     around : Event, optional
-        A row of ``run.events``; the first ball-ball event, or else the first of all, if not given.
+        A row of ``run.events``. If not given: the first ball-ball event in whose frames the balls come apart, or
+        else the first of all.
     frames : int
         How many frames, odd.
     axes : sequence of Axes, optional
@@ -90,8 +91,8 @@ def filmstrip(
     """
     if frames < 3 or frames % 2 == 0:
         raise ValueError(f"frames must be odd and at least 3, got {frames}")
-    event = around or default_event(run)
     scene = Scene.of(run.scenario)
+    event = around or default_event(run, scene)
     times = frame_times(run, scene, event, frames)
     strip = Strip(run, scene, event, times, _arrow_scale(run, scene, times) if arrows else 0.0)
     chosen = _new_axes(scene, frames) if axes is None else list(axes)
@@ -104,14 +105,6 @@ def filmstrip(
     if axes is None and strip.arrow:
         _note_scale(chosen[-1], strip)
     return chosen
-
-
-def default_event(run: Run) -> Event:
-    """Give the first ball-ball event of a run, or else its first event."""
-    event = run.events.by_kind("ball_ball").first() or run.events.first()
-    if event is None:
-        raise ValueError("the run has no event to show")
-    return event
 
 
 def _new_axes(scene: Scene, frames: int) -> list[Axes]:
@@ -227,23 +220,23 @@ def _draw_contact_axes(ax: Axes, strip: Strip) -> None:
     """Draw the lines of the contact's normal and tangent through it, each named beyond what it crosses."""
     scene, event = strip.scene, strip.event
     centre, normal = np.array(event.position), np.array(event.normal)
+    at_cushion = len(event.balls) == 1
     radius = float(scene.radii[strip.participants].max())
     short = max(2.4 * radius, 0.06 * scene.size)
-    state = strip.run.positions([event.time])[0], strip.run.velocities([event.time])[0]
-    tips = (state[0] + strip.arrow * state[1])[strip.participants][..., :2] - centre
-    inside = table_contains(scene)
+    positions, velocities = strip.run.states([event.time])
+    tips = (positions + strip.arrow * velocities)[0, strip.participants, :2] - centre
     for name, direction in (("n", normal), ("t", np.array([-normal[1], normal[0]]))):
-        ahead = max(short, float((tips @ direction).max()) + 0.03 * scene.size)
-        behind = 0.0 if name == "n" and len(event.balls) == 1 else short
-        ends = centre + np.outer([-behind, ahead], direction)
+        origin = centre + 0.03 * scene.size * normal if name == "t" and at_cushion else centre
+        wanted = max(short, float((tips @ direction).max()) + 0.03 * scene.size)
+        ahead = _length_inside(scene, origin, direction, wanted)
+        behind = 0.0 if name == "n" and at_cushion else _length_inside(scene, origin, -direction, short)
+        ends = origin + np.outer([-behind, ahead], direction)
         ax.plot(*ends.T, color=style.INK, linewidth=0.7, linestyle=(0, (5, 2.5)), zorder=3.6)
-        if name == "t" and len(event.balls) == 1:
-            ends = ends + 0.03 * scene.size * normal
-        labels = ends + 0.025 * scene.size * np.outer([-1.0, 1.0], direction)
-        label = labels[0] if inside(labels[:1]) and not inside(labels[1:]) else labels[1]
+        label = ends[1] if ahead >= 0.6 * wanted else ends[0]
+        away = label + 0.025 * scene.size * (label - origin) / np.linalg.norm(label - origin)
         ax.text(
-            float(label[0]),
-            float(label[1]),
+            float(away[0]),
+            float(away[1]),
             name,
             fontsize=style.LABEL_SIZE,
             style="italic",
@@ -251,6 +244,18 @@ def _draw_contact_axes(ax: Axes, strip: Strip) -> None:
             va="center",
             zorder=5,
         )
+
+
+def _length_inside(
+    scene: Scene, origin: NDArray[np.float64], direction: NDArray[np.float64], wanted: float
+) -> float:
+    """Shorten a line from the contact until it and its name lie on the cloth."""
+    inside = table_contains(scene)
+    lengths = wanted * np.arange(1.0, 0.2, -0.05)
+    room = 0.05 * scene.size
+    return next(
+        (float(x) for x in lengths if inside((origin + (x + room) * direction)[None])), float(lengths[-1])
+    )
 
 
 def _title(ax: Axes, strip: Strip, frame: int) -> str:

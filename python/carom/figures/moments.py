@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from carom.run import Run
 
 SPACINGS = 240
+CLEAR = 1 / 3
+MOST_TRIED = 30
 MOST_EVENTS_DRAWN = 20_000
 
 
@@ -31,6 +33,24 @@ def frame_times(run: Run, scene: Scene, event: Event, frames: int) -> NDArray[np
         return _stepped_times(run, scene, event, half)
     spacing = _exact_spacing(run, scene, event, half)
     return np.clip(event.time + spacing * np.arange(-half, half + 1), 0.0, run.end_time)
+
+
+def default_event(run: Run, scene: Scene) -> Event:
+    """Choose the event that a filmstrip shows: the first ball-ball one with a clear view, or the first of all.
+
+    Raises
+    ------
+    ValueError
+        If the run has no event.
+    """
+    contacts = run.events.by_kind("ball_ball")
+    event = contacts.first() or run.events.first()
+    if event is None:
+        raise ValueError("the run has no event to show")
+    if run.steps is not None:
+        return event
+    tried = (contacts[index] for index in range(min(len(contacts), MOST_TRIED)))
+    return next((each for each in tried if _is_clear(run, scene, each)), event)
 
 
 def draw_times(run: Run, samples: int) -> NDArray[np.float64]:
@@ -58,31 +78,54 @@ def just_before(time: float) -> float:
 def _exact_spacing(run: Run, scene: Scene, event: Event, half: int) -> float:
     """Choose the time between frames.
 
-    The smallest at which the participants are clearly apart in the frames next to the event, within the
-    flights that meet there; where those are too short to come apart, the window is widened step by step. An
-    event at the start or at the end of the run is looked at from its one side.
+    The smallest at which the participants are clearly apart in the frames next to the event, within the flights
+    that meet there; where those are too short to come apart, the window is widened step by step.
     """
-    rooms = {-1.0: event.time, 1.0: run.end_time - event.time}
-    sides = {sign: room for sign, room in rooms.items() if room > 1e-6 * run.end_time}
-    if not sides:
-        return 0.0
-    radii = [scene.radii[scene.ids.index(ball)] for ball in event.balls]
-    wanted = max(2.0 * float(np.mean(radii)), 0.05 * scene.size)
-    room = min(sides.values()) / half
+    room = _room(run, event) / half
     limit = min(_flight_room(run, event) / half, room)
     best: tuple[float, float] = (0.0, limit)
-    while best[0] < wanted / 3:
+    while limit > 0.0:
         spacings = limit * np.linspace(1 / SPACINGS, 1.0, SPACINGS)
-        apart = np.min([_gap(run, scene, event, event.time + sign * spacings) for sign in sides], axis=0)
-        enough = np.flatnonzero(apart >= wanted)
+        apart = _apart(run, scene, event, spacings)
+        enough = np.flatnonzero(apart >= 1.0)
         if len(enough):
             return float(spacings[enough[0]])
         widest = int(np.argmax(apart))
         best = max(best, (float(apart[widest]), float(spacings[widest])))
-        if limit == room:
+        if best[0] >= CLEAR or limit == room:
             break
         limit = min(2.0 * limit, room)
     return best[1]
+
+
+def _is_clear(run: Run, scene: Scene, event: Event) -> bool:
+    """Tell whether the participants come apart before and after an event, within their flights."""
+    limit = min(_flight_room(run, event), _room(run, event))
+    apart = _apart(run, scene, event, limit * np.linspace(1 / SPACINGS, 1.0, SPACINGS))
+    return bool(apart.max() >= CLEAR)
+
+
+def _sides(run: Run, event: Event) -> dict[float, float]:
+    """Give the time before (-1) and after (1) an event within its run, leaving out a side that has none."""
+    rooms = {-1.0: event.time, 1.0: run.end_time - event.time}
+    return {sign: room for sign, room in rooms.items() if room > 1e-6 * run.end_time}
+
+
+def _room(run: Run, event: Event) -> float:
+    return min(_sides(run, event).values(), default=0.0)
+
+
+def _apart(run: Run, scene: Scene, event: Event, spacings: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Say how far apart the participants are a time before and after an event, the smaller of the two.
+
+    In units of what is clearly apart: a diameter, or a twentieth of the table. An event at the start or at the
+    end of the run is looked at from its one side.
+    """
+    radii = [scene.radii[scene.ids.index(ball)] for ball in event.balls]
+    wanted = max(2.0 * float(np.mean(radii)), 0.05 * scene.size)
+    gaps = [_gap(run, scene, event, event.time + sign * spacings) for sign in _sides(run, event)]
+    apart: NDArray[np.float64] = np.min(gaps or [np.zeros(len(spacings))], axis=0) / wanted
+    return apart
 
 
 def _flight_room(run: Run, event: Event) -> float:

@@ -32,6 +32,8 @@ class Scene:
         ``(x_min, y_min, x_max, y_max)`` of the table.
     pieces : tuple of mappings
         The pieces of the outline, boundary first, in order.
+    field : (2,) float64
+        The constant acceleration of all balls.
     units : mapping
         Names of units by quantity (``length``, ``time``, ...); may be empty.
     """
@@ -42,6 +44,7 @@ class Scene:
     masses: NDArray[np.float64]
     bounds: tuple[float, float, float, float]
     pieces: tuple[Mapping[str, Any], ...]
+    field: NDArray[np.float64]
     units: Mapping[str, str]
 
     @classmethod
@@ -51,6 +54,7 @@ class Scene:
         balls = scenario.balls
         ids = tuple(ball.id for ball in balls)
         colours = ball_colours(ids, [ball.color for ball in balls])
+        flight = scenario.to_dict().get("physics", {}).get("flight", {})
         x_min, y_min, x_max, y_max = outline["bounds"]
         return cls(
             ids=ids,
@@ -59,6 +63,7 @@ class Scene:
             masses=np.array([ball.mass or 1.0 for ball in balls], dtype=float),
             bounds=(x_min, y_min, x_max, y_max),
             pieces=tuple(outline["pieces"]),
+            field=np.array(flight.get("acceleration", (0.0, 0.0)), dtype=float),
             units=scenario.units,
         )
 

@@ -21,10 +21,13 @@ SIZE = (6.4, 3.4)
 SAMPLES = 600
 MOST_TICKS = 2000
 MOST_NAMED = 8
+LEGEND_COLUMNS = 6
 
 
 def plot_energy(run: Run, ax: Axes | None = None) -> Axes:
     """Draw the total energy and every ball's kinetic energy against time.
+
+    In a field the total includes the potential energy, which is zero at the lowest corner of the table's bounds.
 
     Parameters
     ----------
@@ -38,11 +41,16 @@ def plot_energy(run: Run, ax: Axes | None = None) -> Axes:
     Axes
     """
     scene = Scene.of(run.scenario)
-    ax = style.new_axes(*SIZE) if ax is None else ax
+    ax = _new_axes(scene) if ax is None else ax
     times = draw_times(run, SAMPLES)
-    kinetic = 0.5 * scene.masses * np.sum(np.square(run.velocities(times)), axis=-1)
-    _draw_balls(ax, scene, times, kinetic)
-    ax.plot(times, run.energy(times), color=style.INK, linewidth=1.8, label="total", zorder=3)
+    positions, velocities = run.states(times)
+    _draw_balls(ax, scene, times, 0.5 * scene.masses * np.sum(np.square(velocities), axis=-1))
+    total = run.energy(times)
+    label = "total"
+    if np.any(scene.field != 0.0):
+        total = total + _potential(scene, positions[..., :2])
+        label = "total, with potential"
+    ax.plot(times, total, color=style.INK, linewidth=1.8, label=label, zorder=3)
     return _finish(ax, run, scene, scene.label("energy", "energy"), from_zero=True)
 
 
@@ -61,7 +69,7 @@ def plot_speed(run: Run, ax: Axes | None = None) -> Axes:
     Axes
     """
     scene = Scene.of(run.scenario)
-    ax = style.new_axes(*SIZE) if ax is None else ax
+    ax = _new_axes(scene) if ax is None else ax
     times = draw_times(run, SAMPLES)
     _draw_balls(ax, scene, times, np.linalg.norm(run.velocities(times), axis=-1))
     return _finish(ax, run, scene, scene.label("speed", "speed"), from_zero=True)
@@ -82,13 +90,26 @@ def plot_momentum(run: Run, ax: Axes | None = None) -> Axes:
     Axes
     """
     scene = Scene.of(run.scenario)
-    ax = style.new_axes(*SIZE) if ax is None else ax
+    ax = _new_axes(scene) if ax is None else ax
     times = draw_times(run, SAMPLES)
     momentum = run.momentum(times)
     for axis, (name, colour) in enumerate((("x", style.PALETTE[3]), ("y", style.PALETTE[4]))):
         ax.plot(times, momentum[:, axis], color=colour, linewidth=1.5, label=f"total, {name}", zorder=2)
     ax.axhline(0.0, color=style.FAINT_INK, linewidth=0.7, zorder=1)
     return _finish(ax, run, scene, scene.label("momentum", "momentum"), from_zero=False)
+
+
+def _new_axes(scene: Scene) -> Axes:
+    """Make an axes under room for a legend that names the balls where they are few, and three things more."""
+    entries = 3 + (len(scene.ids) if len(scene.ids) <= MOST_NAMED else 1)
+    return style.new_axes(*SIZE, legend_rows=-(-entries // LEGEND_COLUMNS))
+
+
+def _potential(scene: Scene, positions: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Give the potential energy of all balls together in the field, (n_times,) float64."""
+    corners = np.array([(x, y) for x in scene.bounds[::2] for y in scene.bounds[1::2]])
+    above: NDArray[np.float64] = (corners @ scene.field).max() - positions @ scene.field
+    return above @ scene.masses
 
 
 def _draw_balls(ax: Axes, scene: Scene, times: NDArray[np.float64], values: NDArray[np.float64]) -> None:
@@ -115,7 +136,7 @@ def _finish(ax: Axes, run: Run, scene: Scene, label: str, *, from_zero: bool) ->
     ax.legend(
         loc="lower left",
         bbox_to_anchor=(0.0, 1.0),
-        ncols=6,
+        ncols=LEGEND_COLUMNS,
         fontsize=style.TICK_SIZE,
         frameon=False,
         handlelength=1.4,
