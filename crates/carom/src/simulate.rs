@@ -136,8 +136,7 @@ fn rerun_part(scenario: &Scenario, saved: &Run<f64>) -> Result<Run<f64>, Simulat
     while simulation.diagnostics().total_events() < saved.diagnostics.total_events()
         && simulation.step(&mut log)?
     {}
-    simulation.run_until(saved.end_time, &mut log)?;
-    simulation.stop(saved.status);
+    simulation.stop_at(saved.status, saved.end_time, &mut log)?;
     Ok(simulation.finish(log))
 }
 
