@@ -11,13 +11,14 @@ import pytest
 import carom
 
 LONG = """
-import carom, sys
+import carom
 table = carom.Table.rectangle(width=1, length=1)
 balls = [carom.Ball("a", radius=0.1, position=(0.3, 0.3), velocity=(1, 0.7)),
          carom.Ball("b", radius=0.1, position=(0.7, 0.6), velocity=(-0.4, 0.9))]
 scenario = carom.Scenario(table, balls, duration=1e12, record="none", max_events=10**12)
-print("ready", flush=True)
+scenario.run(duration=1), scenario.start().step()  # so that everything is imported
 try:
+    print("ready", flush=True)
     {call}
 except KeyboardInterrupt:
     print("interrupted")
@@ -35,14 +36,16 @@ CALLS = {
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to a single child")
 @pytest.mark.parametrize("call", CALLS.values(), ids=CALLS.keys())
 def test_ctrl_c_ends_a_long_call(call: str) -> None:
-    child = subprocess.Popen(
-        [sys.executable, "-c", LONG.format(call=call)], stdout=subprocess.PIPE, text=True
-    )
-    assert child.stdout is not None
-    assert child.stdout.readline() == "ready\n"
-    time.sleep(0.3)
-    child.send_signal(signal.SIGINT)
-    assert child.communicate(timeout=20)[0] == "interrupted\n"
+    command = [sys.executable, "-c", LONG.format(call=call)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout is not None
+        assert child.stdout.readline() == "ready\n"
+        time.sleep(0.3)
+        child.send_signal(signal.SIGINT)
+        try:
+            assert child.communicate(timeout=60)[0] == "interrupted\n"
+        finally:
+            child.kill()
 
 
 def test_interrupted_simulation_can_still_give_its_beginning(long_running: carom.Scenario) -> None:

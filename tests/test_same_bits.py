@@ -1,6 +1,7 @@
 """However a run is taken, its bits are the same."""
 
 import os
+import pickle
 import subprocess
 import sys
 
@@ -107,3 +108,21 @@ def test_other_processes_give_the_same_digest(run: carom.Run, environment: dict[
         env={**os.environ, **environment},
     )
     assert done.stdout.strip() == run.digest
+
+
+@pytest.mark.parametrize("name", carom.scenarios())
+def test_ready_made_scenario_has_the_same_bits_saved_resumed_and_stepped(name: str) -> None:
+    scenario = carom.load(name)
+    run = scenario.run()
+    loaded = pickle.loads(pickle.dumps(run))
+    assert loaded == run
+    assert loaded.digest == run.digest
+    assert loaded.verify()
+    ends = {
+        "duration": scenario.to_dict().get("duration"),
+        "collisions": scenario.to_dict().get("collisions"),
+    }
+    part = scenario.run(max_events=len(run.events) // 2).resume(**ends)
+    assert (part.digest, part.events) == (run.digest, run.events)
+    if run.steps is None:
+        assert list(scenario.start()) == list(run.events)

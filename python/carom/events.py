@@ -107,7 +107,8 @@ class EventTable(ColumnTable):
         return self._part(key)
 
     def __iter__(self) -> Iterator[Event]:
-        return (self._row(row) for row in range(len(self)))
+        columns = (self.column(name).tolist() for name in COLUMNS)
+        return (event_from(dict(zip(COLUMNS, values, strict=True))) for values in zip(*columns, strict=True))
 
     def by_kind(self, *kinds: str) -> EventTable:
         """Give the events of these kinds; an unknown word is a ValueError."""
@@ -135,8 +136,7 @@ class EventTable(ColumnTable):
     def _row(self, row: int) -> Event:
         if not -len(self) <= row < len(self):
             raise IndexError(f"no event {row}; the table has {len(self)}")
-        values = {name: _scalar(self.column(name)[row]) for name in COLUMNS}
-        return event_from(values)
+        return next(iter(self._part(slice(row, row + 1 or None))))
 
     def _part(self, rows: slice | NDArray[Any]) -> EventTable:
         return EventTable({name: self.column(name)[rows] for name in COLUMNS}, self._kinds, self._balls)
@@ -144,9 +144,8 @@ class EventTable(ColumnTable):
 
 def event_from(values: Mapping[str, Any]) -> Event:
     """Build an `Event` from its columns' values; a cluster of −1 means none."""
-    row = dict(values)
-    row["cluster"] = None if row["cluster"] in (None, -1) else row["cluster"]
-    return Event(**row)
+    cluster = values["cluster"]
+    return Event(**{**values, "cluster": None if cluster == -1 else cluster})
 
 
 def decoded(codes: NDArray[np.integer[Any]], words: Sequence[str]) -> NDArray[np.object_]:
@@ -154,10 +153,6 @@ def decoded(codes: NDArray[np.integer[Any]], words: Sequence[str]) -> NDArray[np
     table = np.array([*words, None], dtype=object)
     chosen: NDArray[np.object_] = table[codes]
     return chosen
-
-
-def _scalar(value: Any) -> Any:
-    return value.item() if isinstance(value, np.generic) else value
 
 
 def _any_of(column: NDArray[Any], words: Sequence[str]) -> NDArray[np.bool_]:

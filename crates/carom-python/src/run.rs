@@ -138,7 +138,8 @@ impl Run {
 
     /// The one longer run, up to new limits.
     fn resume(&self, py: Python<'_>, options_json: &str) -> PyResult<Self> {
-        let unlimited = Checked { duration: None, collisions: None, ..self.scenario.clone() };
+        let unlimited =
+            Checked { duration: None, collisions: None, max_events: None, ..self.scenario.clone() };
         let (scenario, until) = scenario::with_options(&unlimited, options_json)?;
         if scenario.duration.is_some_and(|end| end < self.run.end_time) {
             return Err(problem("duration", &format!("the run has come to {:?} already", self.run.end_time)));

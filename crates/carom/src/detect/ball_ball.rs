@@ -42,14 +42,15 @@ impl<S: Scalar> Relative<S> {
 
 /// The offset, from the later start of the two flights, at which two balls meet; `None` when they never do.
 ///
-/// `radii` is the sum of the radii, which must be positive. Notes contact and overlap at the start in `seen`. With
-/// `STRAIGHT` both flights must be straight; the answer is the same, but quicker.
+/// `radii` is the sum of the radii, which must be positive. Notes contact (unless they have just been `struck`) and overlap
+/// at the start in `seen`. With `STRAIGHT` both flights must be straight; the answer is the same, but quicker.
 #[inline(always)]
 pub fn detect_ball_ball<const STRAIGHT: bool, S: Scalar>(
     a: &Flight<S>,
     b: &Flight<S>,
     radii: S,
     tolerance: &ContactTolerance<S>,
+    struck: bool,
     seen: &mut Surroundings<S>,
 ) -> Option<S> {
     let relative = if STRAIGHT { Relative::straight(a, b) } else { Relative::new(a, b) };
@@ -57,7 +58,10 @@ pub fn detect_ball_ball<const STRAIGHT: bool, S: Scalar>(
     let gap = relative.position.norm_squared() - radii.squared();
     let tolerance = S::from_f64(2.0) * radii * tolerance.of(radii);
     if gap <= tolerance || (!STRAIGHT && a.acceleration != b.acceleration) {
-        return detect_near(a, b, &relative, [gap, radii], tolerance, seen);
+        if gap <= tolerance {
+            note_contact(gap, radii, tolerance, struck, seen);
+        }
+        return detect_near(a, b, &relative, [gap, radii], tolerance);
     }
     let slope = relative.position.dot(relative.velocity);
     if slope < S::ZERO { straight_meeting(&relative, slope, gap, radii) } else { None }
@@ -71,11 +75,7 @@ fn detect_near<S: Scalar>(
     relative: &Relative<S>,
     [gap, radii]: [S; 2],
     tolerance: S,
-    seen: &mut Surroundings<S>,
 ) -> Option<S> {
-    if gap <= tolerance {
-        note_contact(gap, radii, tolerance, seen);
-    }
     let acceleration = b.acceleration - a.acceleration;
     if acceleration != Vec2::ZERO {
         return first_contact(&squared_gap(relative, acceleration, gap), tolerance, |_| true);
@@ -112,8 +112,9 @@ fn squared_gap<S: Scalar>(relative: &Relative<S>, acceleration: Vec2<S>, gap: S)
     ])
 }
 
-fn note_contact<S: Scalar>(gap: S, radii: S, tolerance: S, seen: &mut Surroundings<S>) {
-    seen.touching |= gap >= -tolerance;
+#[cold]
+fn note_contact<S: Scalar>(gap: S, radii: S, tolerance: S, struck: bool, seen: &mut Surroundings<S>) {
+    seen.touching |= !struck && gap >= -tolerance;
     seen.broken |= gap < -tolerance;
     let overlap = -gap / (S::from_f64(2.0) * radii);
     if overlap > seen.overlap {

@@ -3,7 +3,7 @@
 use super::Surroundings;
 use crate::flight::Flight;
 use crate::geometry::Vec2;
-use crate::model::{ContactTolerance, Face, Line, Round, closing_threshold};
+use crate::model::{ContactTolerance, Face, Faces, Line, Room, Round, closing_threshold};
 use crate::roots::{Polynomial, first_contact};
 use crate::scalar::Scalar;
 
@@ -11,13 +11,15 @@ use crate::scalar::Scalar;
 /// does.
 ///
 /// A cushion counts only with the ball's foot on it, up to the contact tolerance past its ends, and only from its front:
-/// one that the ball is behind is ignored until the ball has come before it. Notes contact at the start in `seen`.
+/// one that the ball is behind is ignored until the ball has come before it. Notes contact at the start in `seen`, unless
+/// the cushion has just been `struck`.
 #[inline]
 pub fn detect_ball_cushion<S: Scalar>(
     flight: &Flight<S>,
     radius: S,
     face: &Face<S>,
     tolerance: S,
+    struck: bool,
     seen: &mut Surroundings<S>,
 ) -> Option<S> {
     match face {
@@ -29,51 +31,78 @@ pub fn detect_ball_cushion<S: Scalar>(
                 let meets = slope < S::ZERO && line.spans(flight.position_after(offset), tolerance);
                 return meets.then_some(offset);
             }
-            detect_line_near(flight, line, [gap, slope], tolerance, seen)
+            detect_line_near(flight, line, [gap, slope], tolerance, struck, seen)
         }
-        Face::Round(round) => detect_round(flight, radius, round, tolerance, seen),
+        Face::Round(round) => detect_round(flight, radius, round, tolerance, struck, seen),
     }
 }
 
-/// The first of many cushions that a ball in straight flight meets: its place and the offset. The same as asking
+/// The first cushion that a ball in straight flight meets: its number and the offset. The same as asking
 /// [`detect_ball_cushion`] of each, but quicker.
 ///
-/// `struck` is the place of a cushion that the ball is just leaving. Contact at the start with it is noted in the second
-/// of `seen`, with others in the first.
+/// `struck` is the number of the cushion that the ball is just leaving, if any.
 #[inline(always)]
 pub fn detect_first_cushion<S: Scalar>(
     flight: &Flight<S>,
     radius: S,
-    faces: &[Face<S>],
+    faces: &Faces<S>,
     tolerance: S,
     struck: usize,
-    seen: &mut [Surroundings<S>; 2],
+    seen: &mut Surroundings<S>,
 ) -> Option<(usize, S)> {
-    let (position, velocity) = (flight.position, flight.velocity);
-    let (mut place, mut first) = (usize::MAX, S::INFINITY);
-    for (number, face) in faces.iter().enumerate() {
-        let offset = if let Face::Line(line) = face {
-            let gap = line.height(position) - radius;
-            let slope = line.normal.dot(velocity);
-            if gap > tolerance {
-                let offset = gap / -slope;
-                if slope < S::ZERO && offset < first && line.spans(position + velocity * offset, tolerance) {
-                    (place, first) = (number, offset);
-                }
-                continue;
-            }
-            if number == struck && slope >= S::ZERO {
-                continue;
-            }
-            detect_line_near(flight, line, [gap, slope], tolerance, &mut seen[usize::from(number == struck)])
-        } else {
-            detect_ball_cushion(flight, radius, face, tolerance, &mut seen[usize::from(number == struck)])
-        };
-        if let Some(offset) = offset.filter(|offset| *offset < first) {
-            (place, first) = (number, offset);
+    let (mut first, mut rest) = (None, 0);
+    if let Some(room) = &faces.room
+        && let Some(found) = detect_wall(flight, radius, room, tolerance, struck)
+    {
+        (first, rest) = (found, 4);
+    }
+    for (number, face) in faces.all.iter().enumerate().skip(rest) {
+        if let Some(offset) = detect_ball_cushion(flight, radius, face, tolerance, number == struck, seen)
+            && first.is_none_or(|(_, earliest)| offset < earliest)
+        {
+            first = Some((number, offset));
         }
     }
-    (place != usize::MAX).then_some((place, first))
+    first
+}
+
+/// The first wall of a room; the outer `None` when the ball is so near to one other than the struck that they have to be
+/// looked at one by one.
+#[inline(always)]
+fn detect_wall<S: Scalar>(
+    flight: &Flight<S>,
+    radius: S,
+    room: &Room<S>,
+    tolerance: S,
+    struck: usize,
+) -> Option<Option<(usize, S)>> {
+    let (position, velocity) = (flight.position, flight.velocity);
+    let below = position - room.lower;
+    let above = room.upper - position;
+    let across = along_axis([below.x - radius, above.x - radius], velocity.x, tolerance, [3, 1], struck)?;
+    let along = along_axis([below.y - radius, above.y - radius], velocity.y, tolerance, [0, 2], struck)?;
+    let is_along = along.1 < across.1 || (along.1 == across.1 && along.0 < across.0);
+    let first = if is_along { along } else { across };
+    Some((first.1 < S::INFINITY).then_some(first))
+}
+
+/// The wall that a ball meets on one axis, and when; `None` if it touches one other than the struck, or moves into that.
+#[inline(always)]
+fn along_axis<S: Scalar>(
+    [below, above]: [S; 2],
+    velocity: S,
+    tolerance: S,
+    walls: [usize; 2],
+    struck: usize,
+) -> Option<(usize, S)> {
+    let (wall, gap, speed) =
+        if velocity > S::ZERO { (walls[1], above, velocity) } else { (walls[0], below, -velocity) };
+    let behind = if velocity > S::ZERO { (walls[0], below) } else { (walls[1], above) };
+    let is_clear = |(wall, gap)| gap > tolerance || wall == struck;
+    if speed == S::ZERO {
+        return (is_clear((wall, gap)) && is_clear(behind)).then_some((wall, S::INFINITY));
+    }
+    (gap > tolerance && is_clear(behind)).then_some((wall, gap / speed))
 }
 
 /// A line that the ball touches, or is behind, or approaches in a field.
@@ -83,11 +112,12 @@ fn detect_line_near<S: Scalar>(
     line: &Line<S>,
     [gap, slope]: [S; 2],
     tolerance: S,
+    struck: bool,
     seen: &mut Surroundings<S>,
 ) -> Option<S> {
     let spans = |offset| line.spans(flight.position_after(offset), tolerance);
     let touches = gap <= tolerance && gap >= -tolerance && spans(S::ZERO);
-    seen.touching |= touches;
+    seen.touching |= touches && !struck;
     if flight.is_straight() {
         let is_closing = -slope > closing_threshold(flight.velocity, Vec2::ZERO) * S::from_f64(2.0);
         return (touches && is_closing).then_some(S::ZERO);
@@ -101,6 +131,7 @@ fn detect_round<S: Scalar>(
     radius: S,
     round: &Round<S>,
     tolerance: S,
+    struck: bool,
     seen: &mut Surroundings<S>,
 ) -> Option<S> {
     let distance = round.contact_distance(radius);
@@ -114,7 +145,7 @@ fn detect_round<S: Scalar>(
     let two = S::from_f64(2.0);
     let gap = side * (position.norm_squared() - distance.squared());
     let tolerance = two * distance * tolerance;
-    if gap <= tolerance && gap >= -tolerance && spans(S::ZERO) {
+    if gap <= tolerance && gap >= -tolerance && !struck && spans(S::ZERO) {
         seen.touching = true;
     }
     let half = flight.acceleration * S::from_f64(0.5);

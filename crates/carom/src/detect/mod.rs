@@ -16,15 +16,15 @@ use crate::scalar::Scalar;
 /// What a prediction saw on its way: things in touch with the ball, and the deepest overlap.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<S> {
-    /// Whether something was within the contact tolerance at the start.
+    /// Whether something else than what it has just been in contact with was within the contact tolerance.
     pub touching: bool,
-    /// The deepest overlap at the start, zero or positive.
-    pub overlap: S,
     /// Whether an overlap was deeper than the contact tolerance: an invariant of the run is broken.
     pub broken: bool,
+    /// The deepest overlap, zero or positive.
+    pub overlap: S,
 }
 
 impl<S: Scalar> Surroundings<S> {
     /// Nothing seen yet.
-    pub const CLEAR: Self = Self { touching: false, overlap: S::ZERO, broken: false };
+    pub const CLEAR: Self = Self { touching: false, broken: false, overlap: S::ZERO };
 }

@@ -116,7 +116,7 @@ impl<S: Scalar> Discs<S> {
         let radius = self.system.discs[member.ball].radius;
         let tolerance = self.system.tolerance.of(radius);
         let first = contacts.len();
-        for (number, cushion) in self.system.faces.iter().enumerate() {
+        for (number, cushion) in self.system.faces.all.iter().enumerate() {
             let Some(gap) = cushion_gap(member.position, radius, cushion, &self.system.tolerance) else {
                 continue;
             };
@@ -145,7 +145,7 @@ impl<S: Scalar> Discs<S> {
                 .reduce(|best, c| if speed(c) > speed(best) { c } else { best });
             let Some(contact) = strongest else { return events };
             let Some(cushion) = contact.cushion else { return events };
-            let (normal, scale) = self.system.faces[cushion as usize].normal_at(member.position);
+            let (normal, scale) = self.system.faces.all[cushion as usize].normal_at(member.position);
             let rebound =
                 self.cushion_law(member.ball, cushion, time).rebound(member.velocity, normal, scale);
             let mass = self.system.discs[member.ball].mass;
@@ -222,7 +222,7 @@ impl<S: Scalar> Discs<S> {
             let member = &members[contact.members.0];
             let law = self.cushion_law(member.ball, cushion, time);
             if law.tangential != S::ONE {
-                let (normal, scale) = self.system.faces[cushion as usize].normal_at(member.position);
+                let (normal, scale) = self.system.faces.all[cushion as usize].normal_at(member.position);
                 let body = &mut bodies[contact.members.0];
                 body.velocity = law.scale_tangential(body.velocity, normal, scale);
                 changed = true;
@@ -284,6 +284,7 @@ impl<S: Scalar> Discs<S> {
         for &k in &moved {
             let member = &members[k];
             self.begin_flight(member.ball, time, member.position, member.velocity);
+            self.note_contact(member.ball, time);
             let cushions: Vec<u32> =
                 contacts.iter().filter(|c| c.members.0 == k).filter_map(|c| c.cushion).collect();
             if let Some(&cushion) = cushions.first() {

@@ -1,6 +1,6 @@
 //! A ball in a field that comes to lie on straight cushions, slides along them, and leaves them.
 
-use super::discs::{Discs, Pending, Target};
+use super::discs::{Discs, Target};
 use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::model::{Face, Line, closing_threshold};
@@ -49,7 +49,7 @@ impl<S: Scalar> Discs<S> {
         let shortest = self.system.collapse_times[ball];
         let mut hardest: Option<(u32, Line<S>, S)> = None;
         for &cushion in touched {
-            let Face::Line(line) = self.system.faces[cushion as usize] else { continue };
+            let Face::Line(line) = self.system.faces.all[cushion as usize] else { continue };
             let pull = -line.normal.dot(flight.acceleration);
             let speed = line.normal.dot(flight.velocity);
             let is_short = speed >= -threshold && speed * S::from_f64(2.0) <= shortest * pull + threshold;
@@ -66,17 +66,18 @@ impl<S: Scalar> Discs<S> {
         &mut self,
         ball: usize,
         cushion: u32,
-        pending: &Pending<S>,
+        time: S,
+        offset: S,
         observer: &mut impl Observer<S>,
     ) {
         let flight = self.flights[ball];
-        let (position, velocity) =
-            (flight.position_after(pending.offset), flight.velocity_after(pending.offset));
-        let (normal, _) = self.system.faces[cushion as usize].normal_at(position);
-        self.begin_flight(ball, pending.time, position, velocity);
+        let (position, velocity) = (flight.position_after(offset), flight.velocity_after(offset));
+        let (normal, _) = self.system.faces.all[cushion as usize].normal_at(position);
+        self.begin_flight(ball, time, position, velocity);
+        self.note_contact(ball, time);
         self.predict(ball, Target::Nothing);
         let event = Event {
-            time: pending.time,
+            time,
             kind: Kind::Release,
             ball_a: ball as u32,
             ball_b: None,

@@ -4,8 +4,10 @@ mod audit;
 mod cluster;
 mod discs;
 mod hold;
+mod predict;
 mod queue;
 mod simulation;
+mod strike;
 
-pub use discs::{Discs, Pending, Target};
+pub use discs::{Discs, Fault, Pending, Target};
 pub use simulation::{Coming, Limits, Simulation};

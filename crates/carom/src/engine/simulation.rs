@@ -1,6 +1,6 @@
 //! A run in progress.
 
-use super::discs::{Discs, Target};
+use super::discs::{Discs, Fault, Target};
 use crate::detect::cushion_gap;
 use crate::geometry::Vec2;
 use crate::run::{Kind, Log, Observer, Run, SimulationError, Status};
@@ -171,8 +171,8 @@ impl<S: Scalar> Simulation<S> {
             Some(time) => self.time = time,
             None => self.end_without_event(limit)?,
         }
-        if self.discs.broken.is_some() || self.discs.collapsed.is_some() {
-            self.end_by_fault()?;
+        if let Some(fault) = self.discs.fault {
+            self.end_by_fault(fault)?;
         }
         Ok(self.status.is_none())
     }
@@ -205,16 +205,18 @@ impl<S: Scalar> Simulation<S> {
     }
 
     #[cold]
-    fn end_by_fault(&mut self) -> Result<(), SimulationError> {
-        if let Some(ball) = self.discs.broken {
-            return Err(SimulationError::Overlap {
+    fn end_by_fault(&mut self, fault: Fault) -> Result<(), SimulationError> {
+        match fault {
+            Fault::Overlap(ball) => Err(SimulationError::Overlap {
                 ball: self.discs.system.ball_ids[ball as usize].clone(),
                 time: self.time.to_f64(),
                 depth: self.discs.diagnostics.deepest_overlap,
-            });
+            }),
+            Fault::Collapse(_) => {
+                self.end(Status::Collapsed, self.time);
+                Ok(())
+            }
         }
-        self.end(Status::Collapsed, self.time);
-        Ok(())
     }
 
     fn end(&mut self, status: Status, time: S) {
@@ -247,7 +249,8 @@ impl<S: Scalar> Simulation<S> {
             }
             Target::Cushion(cushion) => {
                 let system = &self.discs.system;
-                let gap = cushion_gap(position, radius, &system.faces[cushion as usize], &system.tolerance);
+                let gap =
+                    cushion_gap(position, radius, &system.faces.all[cushion as usize], &system.tolerance);
                 (Some(Kind::BallCushion), None, Some(cushion), gap)
             }
             Target::Release(cushion) => (Some(Kind::Release), None, Some(cushion), None),

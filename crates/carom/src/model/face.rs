@@ -38,6 +38,48 @@ pub struct Round<S> {
     pub arc: Arc<S>,
 }
 
+/// All faces of a table; where the first four are the walls of a rectangle along the axes, that is known, for they are
+/// quicker to search.
+#[derive(Clone, Debug)]
+pub struct Faces<S> {
+    /// The faces, in the order of their numbers.
+    pub all: Vec<Face<S>>,
+    /// The rectangle whose walls the first four faces are: bottom, right, top, left.
+    pub room: Option<Room<S>>,
+}
+
+/// A rectangle along the axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Room<S> {
+    /// Lower left corner.
+    pub lower: Vec2<S>,
+    /// Upper right corner.
+    pub upper: Vec2<S>,
+}
+
+impl<S: Scalar> Faces<S> {
+    /// The faces, searched for a room.
+    pub fn new(all: Vec<Face<S>>) -> Self {
+        let room = Room::of(&all);
+        Self { all, room }
+    }
+}
+
+impl<S: Scalar> Room<S> {
+    fn of(faces: &[Face<S>]) -> Option<Self> {
+        let [Face::Line(bottom), Face::Line(right), Face::Line(top), Face::Line(left), ..] = faces else {
+            return None;
+        };
+        let (x, y) = (Vec2::new(S::ONE, S::ZERO), Vec2::new(S::ZERO, S::ONE));
+        let room =
+            Self { lower: Vec2::new(left.level, bottom.level), upper: Vec2::new(-right.level, -top.level) };
+        let is_along_axes = bottom.normal == y && right.normal == -x && top.normal == -y && left.normal == x;
+        let is_closed =
+            bottom.length == room.upper.x - room.lower.x && right.length == room.upper.y - room.lower.y;
+        (is_along_axes && is_closed).then_some(room)
+    }
+}
+
 impl<S: Scalar> Face<S> {
     /// The face of a piece of boundary.
     pub fn of_piece(piece: &Piece<S>) -> Self {

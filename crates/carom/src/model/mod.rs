@@ -6,6 +6,6 @@ mod table;
 mod tolerance;
 
 pub use disc::Disc;
-pub use face::{Face, Line, Round};
+pub use face::{Face, Faces, Line, Room, Round};
 pub use table::{Corner, Cushion, JOINT_TOLERANCE, Outline, OutlineKind, Table, circle, rectangle};
 pub use tolerance::{ContactTolerance, closing_threshold};

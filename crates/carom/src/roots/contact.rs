@@ -1,17 +1,9 @@
 //! When a gap first makes contact: the rule that starts from where the two things are now.
 
 use super::Polynomial;
-use super::closing::{ClosingCrossings, Sign, closing_crossings, sign};
+use super::closing::{ClosingCrossings, closing_crossings};
+use super::sweep::{Side, Sign, sign};
 use crate::scalar::Scalar;
-
-/// Where a gap is known to be at the start of a search.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Side {
-    /// Positive: the next zero is a closing crossing.
-    Front,
-    /// Not positive: it has to become so before it can close.
-    Behind,
-}
 
 /// What the contact rule asks of a gap.
 pub(super) trait Approach<S: Scalar> {

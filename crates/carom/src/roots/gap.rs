@@ -1,9 +1,8 @@
 //! Closing crossings of any smooth gap, for flights that are no polynomials in time.
 
 use super::Polynomial;
-use super::closing::{Sign, Sweep, sign};
-use super::contact::Side;
 use super::newton::falling_root;
+use super::sweep::{Side, Sign, Sweep, sign};
 use crate::scalar::Scalar;
 
 /// A closed interval.

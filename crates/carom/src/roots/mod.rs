@@ -23,6 +23,7 @@ mod newton;
 mod polynomial;
 mod quadratic;
 mod scale;
+mod sweep;
 
 pub use closing::{ClosingCrossings, closing_crossings};
 pub use contact::{first_contact, first_turn};

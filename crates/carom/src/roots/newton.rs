@@ -1,5 +1,6 @@
 //! A safeguarded Newton iteration inside a bracket.
 
+use super::sweep::{Sign, sign};
 use crate::scalar::Scalar;
 
 /// The root between `lo`, where the function is positive, and `hi > lo ≥ 0`, where it is not.
@@ -25,7 +26,8 @@ pub(super) fn falling_root<S: Scalar>(
     }
     // The slope is lost in rounding: keep the point, and its derivative, infinite where the slope is zero.
     let change = value - value.detached();
-    if slope == S::ZERO { root - change.sqrt() } else { root - change / slope }
+    let kept = if slope == S::ZERO { root - change.sqrt() } else { root - change / slope };
+    if kept == root { kept } else { root }
 }
 
 fn standing_point<S: Scalar>(
@@ -49,7 +51,7 @@ fn standing_point<S: Scalar>(
         let newton = (x - value / slope).detached();
         let step = (newton - x).abs();
         let is_safe = newton > lo && newton < hi && step + step <= last_step;
-        if !is_safe && value.to_f64().abs() <= rounding(x) {
+        if !is_safe && sign(value, rounding(x)) == Sign::Unclear {
             return x;
         }
         let next = if is_safe { newton } else { midpoint(lo, hi) };

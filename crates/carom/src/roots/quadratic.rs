@@ -4,8 +4,9 @@
 //! exactly one of them is a closing crossing: `a₀ / (r − h)`, which equals `−(h + r) / a₂`. Whichever of the two adds
 //! numbers of one sign is used. The same forms serve falling and rising parabolas and straight lines.
 
-use super::contact::{Approach, Side, first_contact_of};
+use super::contact::{Approach, first_contact_of};
 use super::scale::{exponent, power_of_two};
+use super::sweep::Side;
 use crate::scalar::Scalar;
 
 /// A gap of degree at most two: `a₀ + a₁ s + a₂ s²`.
@@ -102,11 +103,10 @@ fn root_of_discriminant<S: Scalar>(a0: S, half: S, a2: S) -> Option<S> {
     }
 }
 
-/// Near a double root both terms of `h² − a₂ a₀` are about `h²`; two products and a difference then err by less than
-/// `2 ε h²` and a little.
+/// Near a double root both terms of `h² − a₂ a₀` are about `h²`, and the two products err by little more than `2 ε h²`.
 #[inline(always)]
 fn exceeds_rounding<S: Scalar>(discriminant: S, squared: S) -> bool {
-    discriminant.to_f64() > 4.0 * S::EPSILON * squared.to_f64()
+    discriminant.to_f64() > 3.0 * S::EPSILON * squared.to_f64()
 }
 
 /// The same where a square would leave the range of `f64`, with every factor scaled by a power of two.

@@ -155,7 +155,7 @@ fn check(file: &RunFile, system: &System<f64>) -> Result<(), RunFileError> {
             events.cluster.len(),
         ];
         let is_ball = |ball: &u32| (*ball as usize) < balls;
-        let is_cushion = |cushion: &u32| (*cushion as usize) < system.faces.len();
+        let is_cushion = |cushion: &u32| (*cushion as usize) < system.faces.all.len();
         if lengths.iter().any(|length| *length != rows) {
             return fault("events: the columns have unequal lengths");
         }

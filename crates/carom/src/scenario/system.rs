@@ -6,7 +6,7 @@ use super::start::BallStart;
 use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::law::{ball_ball, ball_cushion};
-use crate::model::{ContactTolerance, Disc, Face, Line, Table};
+use crate::model::{ContactTolerance, Disc, Face, Faces, Line, Table};
 use crate::scalar::Scalar;
 
 /// Everything the engine needs, with every number in `S` and every name turned into an index.
@@ -19,7 +19,7 @@ pub struct System<S> {
     /// Their flights at time zero.
     pub flights: Vec<Flight<S>>,
     /// The faces of cushions and corners.
-    pub faces: Vec<Face<S>>,
+    pub faces: Faces<S>,
     /// The law of each.
     pub cushion_laws: Vec<ball_cushion::Restitution<S>>,
     /// For each, the face on the other side of a thin wall.
@@ -95,7 +95,7 @@ impl<S: Scalar> System<S> {
             cushion_ids: cushion_ids(&table),
             discs,
             flights,
-            faces,
+            faces: Faces::new(faces),
             cushion_laws,
             backs,
             field,
