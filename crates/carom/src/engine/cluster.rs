@@ -22,6 +22,8 @@ struct Member<S> {
     position: Vec2<S>,
     before: Vec2<S>,
     velocity: Vec2<S>,
+    /// Whether it was struck or its velocity changed.
+    moves: bool,
 }
 
 /// A contact of the cluster with what the event log says of it.
@@ -52,10 +54,15 @@ impl<S: Scalar> Discs<S> {
             self.resolve_contacts(&mut members, &contacts, time)
         };
         self.account_cluster(&members);
+        let is_struck = |ball| struck.iter().any(|s| s.0 == ball);
+        members
+            .iter_mut()
+            .for_each(|member| member.moves = member.velocity != member.before || is_struck(member.ball));
+        self.start_flights(&members, time);
         for event in &events {
             self.emit(event, observer);
         }
-        self.start_flights(struck, &members, &contacts, time, observer);
+        self.settle_members(&members, &contacts, observer);
     }
 
     /// The balls that touch each other or the struck ones, in order of place.
@@ -65,6 +72,7 @@ impl<S: Scalar> Discs<S> {
             position,
             before: velocity,
             velocity,
+            moves: false,
         };
         let mut members: Vec<Member<S>> = struck.iter().map(member).collect();
         let mut next = 0;
@@ -269,32 +277,32 @@ impl<S: Scalar> Discs<S> {
         self.diagnostics.energy_loss -= change;
     }
 
-    /// Starts the flights of the struck balls and of those whose velocity changed, and tells the observer.
-    fn start_flights(
-        &mut self,
-        struck: &[(usize, Vec2<S>, Vec2<S>)],
-        members: &[Member<S>],
-        contacts: &[Contact<S>],
-        time: S,
-        observer: &mut impl Observer<S>,
-    ) {
-        let is_struck = |ball| struck.iter().any(|s| s.0 == ball);
-        let moved = |k: &usize| members[*k].velocity != members[*k].before || is_struck(members[*k].ball);
-        let moved: Vec<usize> = (0..members.len()).filter(moved).collect();
-        for &k in &moved {
-            let member = &members[k];
+    /// Starts the flights of the balls that move on otherwise than before.
+    fn start_flights(&mut self, members: &[Member<S>], time: S) {
+        for member in members.iter().filter(|member| member.moves) {
             self.begin_flight(member.ball, time, member.position, member.velocity);
             self.note_contact(member.ball, time);
-            let cushions: Vec<u32> =
-                contacts.iter().filter(|c| c.members.0 == k).filter_map(|c| c.cushion).collect();
+        }
+    }
+
+    /// Holds those of them that cushions hold from now on, tells the observer, and predicts their next events.
+    fn settle_members(
+        &mut self,
+        members: &[Member<S>],
+        contacts: &[Contact<S>],
+        observer: &mut impl Observer<S>,
+    ) {
+        for (place, member) in members.iter().enumerate().filter(|(_, member)| member.moves) {
+            let touched = contacts.iter().filter(|contact| contact.members.0 == place);
+            let cushions: Vec<u32> = touched.filter_map(|contact| contact.cushion).collect();
             if let Some(&cushion) = cushions.first() {
                 self.tracks[member.ball].last_cushion = Some(cushion);
             }
             self.settle(member.ball, &cushions, observer);
             observer.flight(member.ball, &self.flights[member.ball]);
         }
-        for &k in &moved {
-            self.predict(members[k].ball, Target::Nothing);
+        for member in members.iter().filter(|member| member.moves) {
+            self.predict(member.ball, Target::Nothing);
         }
     }
 }

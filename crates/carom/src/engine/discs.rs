@@ -124,7 +124,7 @@ impl<S: Scalar> Discs<S> {
     pub fn step(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
         loop {
             let (ball, time) = self.queue.first();
-            if !(time <= limit) || time == S::INFINITY {
+            if time > limit || time == S::INFINITY {
                 return None;
             }
             let Pending { offset, target, .. } = self.pending[ball];

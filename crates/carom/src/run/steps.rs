@@ -1,7 +1,7 @@
 //! The steps of the fixed-step method, and the state between them.
 
 use super::event::Kind;
-use crate::geometry::Vec2;
+use crate::flight::State;
 use crate::scalar::Scalar;
 
 /// A ball's hit in a step.
@@ -19,7 +19,7 @@ pub struct Step<S> {
     /// When it begins.
     pub time: S,
     /// Position and velocity of each ball then.
-    pub balls: Vec<(Vec2<S>, Vec2<S>)>,
+    pub balls: Vec<State<S>>,
     /// Each ball's hit in the step.
     pub hits: Vec<Option<Hit<S>>>,
 }
@@ -35,7 +35,7 @@ pub struct Steps<S> {
 
 impl<S: Scalar> Steps<S> {
     /// Position and velocity of each ball at a time within the run.
-    pub fn state(&self, time: S) -> Vec<(Vec2<S>, Vec2<S>)> {
+    pub fn state(&self, time: S) -> Vec<State<S>> {
         let later = self.steps.partition_point(|step| step.time <= time).max(1);
         let step = &self.steps[later - 1];
         let next = self.steps.get(later);

@@ -9,7 +9,7 @@
 
 mod candidate;
 
-use crate::flight::Flight;
+use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::ball_ball::{self, Pair};
 use crate::law::ball_cushion;
@@ -77,7 +77,7 @@ struct Scheme<S> {
     /// Time at which the present sequence of full steps began, and steps made since.
     clock: (S, u64),
     time: S,
-    balls: Vec<(Vec2<S>, Vec2<S>)>,
+    balls: Vec<State<S>>,
     steps: Steps<S>,
     log: Log<S>,
     diagnostics: Diagnostics,
