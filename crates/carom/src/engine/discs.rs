@@ -15,6 +15,9 @@ use std::sync::Arc;
 /// Events on one ball within the collapse time after which a run is given up.
 const BURST_LIMIT: u32 = 1000;
 
+/// The energy is summed at 2^k events, but not below sixteen: so short a run is summed at its end.
+const AUDIT_MASK: u64 = 15;
+
 /// What a ball's next event is with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
@@ -173,7 +176,8 @@ impl<S: Scalar> Discs<S> {
     pub(super) fn emit(&mut self, event: &Event<S>, observer: &mut impl Observer<S>) {
         self.diagnostics.count(event.kind);
         observer.event(event);
-        if self.diagnostics.total_events().is_power_of_two() {
+        let events = self.diagnostics.total_events();
+        if events & AUDIT_MASK == 0 && events.is_power_of_two() {
             self.audit(event.time);
         }
     }
