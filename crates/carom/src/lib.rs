@@ -1,5 +1,14 @@
 //! How balls move on a table: exact, fast, and the same everywhere.
 
+pub mod detect;
+pub mod engine;
+pub mod flight;
 pub mod geometry;
+pub mod law;
+pub mod model;
 pub mod roots;
+pub mod run;
 pub mod scalar;
+pub mod scenario;
+pub mod simulate;
+pub mod stepped;

@@ -1,7 +1,17 @@
 //! Vectors, line segments and circular arcs in the plane.
 
+mod bounds;
+mod distance;
+mod joint;
+mod meeting;
+mod outline;
 mod piece;
 mod vector;
 
+pub use bounds::Bounds;
+pub use distance::{Foot, FootAt};
+pub use joint::turn;
+pub use meeting::{Meeting, MeetingKind, meetings};
+pub use outline::{signed_area, signed_distance};
 pub use piece::{Arc, Piece, Segment};
 pub use vector::Vec2;

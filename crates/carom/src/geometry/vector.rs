@@ -60,7 +60,7 @@ impl<S: Scalar> Vec2<S> {
     #[inline(always)]
     #[must_use]
     pub fn left(self) -> Self {
-        Self::new(-self.y, self.x)
+        Self::new(S::ZERO - self.y, self.x)
     }
 
     /// The unit vector of the same direction; not a number for the zero vector.

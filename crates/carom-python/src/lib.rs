@@ -1,0 +1,36 @@
+//! The Python binding: conversions, and nothing else.
+
+mod bundled;
+mod columns;
+mod errors;
+mod interrupt;
+mod outline;
+mod run;
+mod scenario;
+mod simulation;
+mod states;
+
+use pyo3::prelude::*;
+
+/// The native module of the package.
+#[pymodule]
+mod _engine {
+    use carom::run::Kind;
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use crate::bundled::bundled_scenarios;
+    #[pymodule_export]
+    use crate::run::Run;
+    #[pymodule_export]
+    use crate::scenario::{Scenario, schema};
+    #[pymodule_export]
+    use crate::simulation::Simulation;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", carom::run::VERSION)?;
+        module.add("PHYSICS_VERSION", carom::run::PHYSICS_VERSION)?;
+        module.add("EVENT_KINDS", Kind::ALL.map(Kind::name))
+    }
+}

@@ -1,0 +1,45 @@
+//! What there is to draw of a table.
+
+use carom::geometry::{Arc, Piece, Vec2};
+use carom::model::{Outline, OutlineKind, Table};
+use serde_json::{Value, json};
+
+/// The cushions of a table as a JSON value: lines and arcs in order, those of the boundary first.
+pub fn outline(table: &Table<f64>) -> Value {
+    let (min, max) = (table.bounds.min, table.bounds.max);
+    json!({
+        "size": table.size(),
+        "bounds": [min.x, min.y, max.x, max.y],
+        "pieces": table.outlines.iter().flat_map(pieces).collect::<Vec<_>>(),
+    })
+}
+
+fn pieces(outline: &Outline<f64>) -> impl Iterator<Item = Value> + '_ {
+    let part = if outline.kind == OutlineKind::Boundary { "boundary" } else { "obstacle" };
+    outline.cushions.iter().map(move |cushion| piece(&cushion.id, part, &cushion.piece))
+}
+
+fn piece(id: &str, part: &str, piece: &Piece<f64>) -> Value {
+    match piece {
+        Piece::Line(line) => json!({
+            "id": id, "part": part, "kind": "line", "start": point(line.start), "end": point(line.end),
+        }),
+        Piece::Arc(arc) => {
+            let [from_deg, to_deg] = angles_deg(arc);
+            json!({
+                "id": id, "part": part, "kind": "arc", "center": point(arc.center), "radius": arc.radius,
+                "from_deg": from_deg, "to_deg": to_deg,
+            })
+        }
+    }
+}
+
+/// The angles of an arc's ends in degrees; good for drawing, not for computing.
+fn angles_deg(arc: &Arc<f64>) -> [f64; 2] {
+    let from = arc.from.y.atan2(arc.from.x).to_degrees();
+    [from, if arc.counter_clockwise { from + arc.sweep_deg } else { from - arc.sweep_deg }]
+}
+
+fn point(vector: Vec2<f64>) -> [f64; 2] {
+    [vector.x, vector.y]
+}

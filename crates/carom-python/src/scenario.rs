@@ -1,0 +1,124 @@
+//! Scenarios.
+
+use crate::errors::{problem, scenario_error, simulation_error};
+use crate::interrupt::interruptible;
+use crate::outline::outline;
+use crate::run::Run;
+use crate::simulation::Simulation;
+use carom::run::Kind;
+use carom::scenario::{self, System, json_schema};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use serde_json::{Map, Value, json};
+
+/// A checked scenario.
+#[pyclass(frozen, module = "carom._engine")]
+pub struct Scenario(scenario::Scenario);
+
+impl Scenario {
+    pub fn new(scenario: scenario::Scenario) -> Self {
+        Self(scenario)
+    }
+}
+
+/// The JSON Schema of scenarios, as JSON text.
+#[pyfunction]
+pub fn schema() -> String {
+    json_schema().to_string()
+}
+
+#[pymethods]
+impl Scenario {
+    /// Reads a scenario; the format is "toml" or "json".
+    #[staticmethod]
+    fn parse(text: &str, format: &str) -> PyResult<Self> {
+        match format {
+            "toml" => scenario::Scenario::from_toml(text),
+            "json" => scenario::Scenario::from_json(text),
+            _ => return Err(PyValueError::new_err(format!("unknown format {format:?}"))),
+        }
+        .map(Self)
+        .map_err(scenario_error)
+    }
+
+    /// The scenario as JSON text.
+    fn to_json(&self) -> PyResult<String> {
+        self.0.to_json().map_err(scenario_error)
+    }
+
+    /// The scenario as TOML text.
+    fn to_toml(&self) -> PyResult<String> {
+        self.0.to_toml().map_err(scenario_error)
+    }
+
+    /// The scenario with the values of a JSON object put in at the paths that are its keys.
+    fn with_values(&self, values_json: &str) -> PyResult<Self> {
+        self.0.with_values(&entries(values_json)?).map(Self).map_err(scenario_error)
+    }
+
+    /// The JSON text of the value at a path.
+    fn value(&self, path: &str) -> PyResult<String> {
+        self.0.value(path).map(|value| value.to_string()).map_err(scenario_error)
+    }
+
+    /// What there is to draw of the table, as JSON text.
+    fn outline(&self) -> String {
+        outline(&self.0.table.layout(&mut |_, value| value)).to_string()
+    }
+
+    /// The balls as JSON text, with radius, mass and velocity filled in.
+    fn balls(&self) -> String {
+        let system = System::<f64>::new(&self.0);
+        let ball = |(k, ball): (usize, &scenario::schema::Ball)| {
+            let (disc, flight) = (&system.discs[k], &system.flights[k]);
+            json!({
+                "id": ball.id,
+                "radius": disc.radius,
+                "mass": disc.mass,
+                "position": [flight.position.x, flight.position.y],
+                "velocity": [flight.velocity.x, flight.velocity.y],
+                "color": ball.color.as_ref().or(self.0.ball_defaults.color.as_ref()),
+            })
+        };
+        self.0.balls.iter().enumerate().map(ball).collect::<Value>().to_string()
+    }
+
+    /// Runs the scenario to its end, without the interpreter's lock.
+    fn run(&self, py: Python<'_>, options_json: &str) -> PyResult<Run> {
+        let (scenario, until) = with_options(&self.0, options_json)?;
+        let compute = |interrupted: &mut dyn FnMut() -> bool| {
+            carom::simulate::simulate_until(&scenario, until, interrupted)
+        };
+        let run = interruptible(py, compute)?.map_err(|error| simulation_error(&error, &scenario))?;
+        Ok(Run::new(scenario, run))
+    }
+
+    /// Starts a run that is taken event by event.
+    fn start(&self, options_json: &str) -> PyResult<Simulation> {
+        let (scenario, until) = with_options(&self.0, options_json)?;
+        Simulation::new(scenario, until)
+    }
+}
+
+/// A scenario with the options of a run put in, and the kind of event to stop at.
+pub fn with_options(
+    scenario: &scenario::Scenario,
+    options_json: &str,
+) -> PyResult<(scenario::Scenario, Option<Kind>)> {
+    let (until, values): (Vec<_>, Vec<_>) =
+        entries(options_json)?.into_iter().partition(|(name, _)| name == "until");
+    let until = until.first().map(|(_, word)| kind(word)).transpose()?;
+    Ok((scenario.with_values(&values).map_err(scenario_error)?, until))
+}
+
+fn kind(word: &Value) -> PyResult<Kind> {
+    let known = || format!("must be one of {}", Kind::ALL.map(Kind::name).join(", "));
+    word.as_str().and_then(Kind::from_name).ok_or_else(|| problem("until", &known()))
+}
+
+/// The keys and values of a JSON object, in order.
+fn entries(text: &str) -> PyResult<Vec<(String, Value)>> {
+    let object: Map<String, Value> =
+        serde_json::from_str(text).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    Ok(object.into_iter().collect())
+}

@@ -1,0 +1,30 @@
+//! When gaps close.
+//!
+//! Every function here is a pure function of the flights it is given, so an event's time does not depend on when it was
+//! asked for. Times come as offsets from the later start of the flights involved, unrounded by the absolute time.
+
+mod ball_ball;
+mod ball_cushion;
+
+pub use ball_ball::detect_ball_ball;
+pub use ball_cushion::{
+    cushion_gap, detect_ball_cushion, detect_first_cushion, detect_from_behind, detect_release,
+};
+
+use crate::scalar::Scalar;
+
+/// What a prediction saw on its way: things in touch with the ball, and the deepest overlap.
+#[derive(Clone, Copy, Debug)]
+pub struct Surroundings<S> {
+    /// Whether something else than what it has just been in contact with was within the contact tolerance.
+    pub touching: bool,
+    /// Whether an overlap was deeper than the contact tolerance: an invariant of the run is broken.
+    pub broken: bool,
+    /// The deepest overlap, zero or positive.
+    pub overlap: S,
+}
+
+impl<S: Scalar> Surroundings<S> {
+    /// Nothing seen yet.
+    pub const CLEAR: Self = Self { touching: false, broken: false, overlap: S::ZERO };
+}

@@ -1,0 +1,38 @@
+//! Sums over all balls: energy and momentum, and the audit of a run's energy.
+
+use super::discs::Discs;
+use crate::flight::State;
+use crate::scalar::Scalar;
+
+impl<S: Scalar> Discs<S> {
+    /// Position and velocity of a ball at a time not before its last event.
+    pub fn state_at(&self, ball: usize, time: S) -> State<S> {
+        let flight = &self.flights[ball];
+        let elapsed = time - flight.start;
+        (flight.position_after(elapsed), flight.velocity_after(elapsed))
+    }
+
+    /// Energy of all balls: kinetic, and potential in the field.
+    pub fn energy_at(&self, time: S) -> f64 {
+        let mut sum = S::ZERO;
+        for ball in 0..self.flights.len() {
+            let (position, velocity) = self.state_at(ball, time);
+            let kinetic = S::from_f64(0.5) * velocity.norm_squared();
+            sum += self.system.discs[ball].mass * (kinetic - self.system.field.dot(position));
+        }
+        sum.to_f64()
+    }
+
+    /// Whether no ball moves, now or later.
+    pub fn is_at_rest(&self) -> bool {
+        self.flights.iter().all(|flight| flight.is_rest())
+    }
+
+    /// Sums the energy and notes how far it is from what the laws account for.
+    pub(super) fn audit(&mut self, time: S) {
+        let energy = self.energy_at(time);
+        let drift = (energy - self.diagnostics.initial_energy + self.diagnostics.energy_loss).abs();
+        self.diagnostics.final_energy = energy;
+        self.diagnostics.energy_drift = self.diagnostics.energy_drift.max(drift);
+    }
+}

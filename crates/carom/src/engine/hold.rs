@@ -1,0 +1,103 @@
+//! A ball in a field that comes to lie on straight cushions, slides along them, and leaves them.
+
+use super::discs::{Discs, Target};
+use crate::flight::Flight;
+use crate::geometry::Vec2;
+use crate::model::{Face, Line, closing_threshold};
+use crate::run::{Event, Kind, Observer};
+use crate::scalar::Scalar;
+
+impl<S: Scalar> Discs<S> {
+    /// Holds a ball on those of the cushions it touches from which its next bounce would last less than t_c: its normal
+    /// velocity becomes zero and its acceleration the projection on the cushion. Says whether any holds it.
+    pub(super) fn settle(&mut self, ball: usize, touched: &[u32], observer: &mut impl Observer<S>) -> bool {
+        if !self.has_field {
+            return false;
+        }
+        let mut flight = self.flights[ball];
+        for place in 0..2 {
+            let Some((cushion, line)) = self.pressing(ball, &flight, touched) else { break };
+            self.tracks[ball].held_by[place] = Some(cushion);
+            let lost = lay(&mut flight, &line);
+            if place == 1 {
+                (flight.velocity, flight.acceleration) = (Vec2::ZERO, Vec2::ZERO);
+            }
+            let disc = self.system.discs[ball];
+            self.diagnostics.energy_loss += (disc.mass * lost).to_f64();
+            let event = Event {
+                time: flight.start,
+                kind: Kind::Hold,
+                ball_a: ball as u32,
+                ball_b: None,
+                cushion: Some(cushion),
+                point: Face::Line(line).foot(flight.position),
+                normal: line.normal,
+                closing_speed: S::ZERO,
+                impulse: S::ZERO,
+                cluster: None,
+            };
+            self.flights[ball] = flight;
+            self.emit(&event, observer);
+        }
+        self.tracks[ball].is_held()
+    }
+
+    /// The cushion that a ball is pressed against hardest, among those whose next bounce would be too short.
+    fn pressing(&self, ball: usize, flight: &Flight<S>, touched: &[u32]) -> Option<(u32, Line<S>)> {
+        let held = self.tracks[ball].held_by;
+        let threshold = closing_threshold(flight.velocity, Vec2::ZERO);
+        let shortest = self.system.collapse_times[ball];
+        let mut hardest: Option<(u32, Line<S>, S)> = None;
+        for &cushion in touched {
+            let Face::Line(line) = self.system.faces.all[cushion as usize] else { continue };
+            let pull = -line.normal.dot(flight.acceleration);
+            let speed = line.normal.dot(flight.velocity);
+            let is_short = speed >= -threshold && speed * S::from_f64(2.0) <= shortest * pull + threshold;
+            let is_harder = hardest.is_none_or(|(.., most)| pull > most);
+            if pull > S::ZERO && is_short && is_harder && !held.contains(&Some(cushion)) {
+                hardest = Some((cushion, line, pull));
+            }
+        }
+        hardest.map(|(cushion, line, _)| (cushion, line))
+    }
+
+    /// A ball passes the end of the cushion that held it, and flies free.
+    pub(super) fn release(
+        &mut self,
+        ball: usize,
+        cushion: u32,
+        time: S,
+        offset: S,
+        observer: &mut impl Observer<S>,
+    ) {
+        let flight = self.flights[ball];
+        let (position, velocity) = (flight.position_after(offset), flight.velocity_after(offset));
+        let (normal, _) = self.system.faces.all[cushion as usize].normal_at(position);
+        self.begin_flight(ball, time, position, velocity);
+        self.note_contact(ball, time);
+        self.predict(ball, Target::Nothing);
+        let event = Event {
+            time,
+            kind: Kind::Release,
+            ball_a: ball as u32,
+            ball_b: None,
+            cushion: Some(cushion),
+            point: self.system.faces.all[cushion as usize].foot(position),
+            normal,
+            closing_speed: S::ZERO,
+            impulse: S::ZERO,
+            cluster: None,
+        };
+        self.emit(&event, observer);
+        observer.flight(ball, &self.flights[ball]);
+    }
+}
+
+/// Takes the normal velocity and acceleration away; gives the kinetic energy lost per mass.
+fn lay<S: Scalar>(flight: &mut Flight<S>, line: &Line<S>) -> S {
+    let across = |v: Vec2<S>| line.normal * (line.normal.dot(v) * line.normal_scale);
+    let normal_velocity = across(flight.velocity);
+    flight.velocity = flight.velocity - normal_velocity;
+    flight.acceleration = flight.acceleration - across(flight.acceleration);
+    S::from_f64(0.5) * normal_velocity.norm_squared()
+}

@@ -1,0 +1,13 @@
+//! The event loop: predict, schedule, advance, resolve, repeat.
+
+mod audit;
+mod cluster;
+mod discs;
+mod hold;
+mod predict;
+mod queue;
+mod simulation;
+mod strike;
+
+pub use discs::{Discs, Fault, Pending, Target};
+pub use simulation::{Coming, Limits, Simulation};

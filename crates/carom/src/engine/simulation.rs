@@ -1,0 +1,273 @@
+//! A run in progress.
+
+use super::discs::{Discs, Fault, Target};
+use crate::detect::cushion_gap;
+use crate::flight::State;
+use crate::run::{Kind, Log, Observer, Run, SimulationError, Status};
+use crate::scalar::Scalar;
+use crate::scenario::System;
+use std::sync::Arc;
+
+/// When a run ends: at the first of these.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits<S> {
+    /// The time; events at this very time still happen.
+    pub duration: Option<S>,
+    /// The number of ball-ball and ball-cushion events. A cluster is not broken off, so there may be more.
+    pub collisions: Option<u64>,
+    /// The number of events of any kind.
+    pub max_events: u64,
+    /// The first event of this kind.
+    pub until: Option<Kind>,
+}
+
+/// What a ball is about to do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coming<S> {
+    /// The ball.
+    pub ball: usize,
+    /// What will happen; `None` for nothing.
+    pub kind: Option<Kind>,
+    /// The other ball.
+    pub other: Option<u32>,
+    /// The cushion.
+    pub cushion: Option<u32>,
+    /// When; infinite for never.
+    pub time: S,
+    /// The present gap to what it will meet.
+    pub gap: Option<S>,
+}
+
+/// A run in progress: goes on by single events, by slices, or to its end, with the same bits.
+#[derive(Clone, Debug)]
+pub struct Simulation<S> {
+    discs: Discs<S>,
+    limits: Limits<S>,
+    time: S,
+    status: Option<Status>,
+    /// Events of the kind waited for that had happened when these limits were set.
+    seen: u64,
+}
+
+impl<S: Scalar> Limits<S> {
+    /// No end but the duration and a budget of events.
+    pub fn duration(duration: S) -> Self {
+        Self { duration: Some(duration), collisions: None, max_events: u64::MAX, until: None }
+    }
+}
+
+impl<S: Scalar> Simulation<S> {
+    /// A run of a system from time zero.
+    pub fn new(system: Arc<System<S>>, limits: Limits<S>, observer: &mut impl Observer<S>) -> Self {
+        let discs = Discs::new(system);
+        let simulation = Self { discs, limits, time: S::ZERO, status: None, seen: 0 };
+        simulation.tell_flights(observer);
+        simulation
+    }
+
+    /// Back to time zero, without giving up any memory.
+    pub fn reset(&mut self, observer: &mut impl Observer<S>) {
+        self.discs.reset();
+        (self.time, self.status, self.seen) = (S::ZERO, None, 0);
+        self.tell_flights(observer);
+    }
+
+    /// Goes on from the end of a run, up to new limits.
+    pub fn resume(run: &Run<S>, limits: Limits<S>) -> Self {
+        let discs = Discs::resume(run);
+        let seen = limits.until.map_or(0, |kind| run.diagnostics.events[kind as usize]);
+        Self { discs, limits, time: run.end_time, status: None, seen }
+    }
+
+    fn tell_flights(&self, observer: &mut impl Observer<S>) {
+        for (ball, flight) in self.discs.flights.iter().enumerate() {
+            observer.flight(ball, flight);
+        }
+    }
+
+    /// The present time: that of the last event, or of the end.
+    pub fn time(&self) -> S {
+        self.time
+    }
+
+    /// Why the run ended; `None` while it goes on.
+    pub fn status(&self) -> Option<Status> {
+        self.status
+    }
+
+    /// What is computed.
+    pub fn system(&self) -> &Arc<System<S>> {
+        &self.discs.system
+    }
+
+    /// Makes the next event happen (or the next cluster of them); says whether the run goes on.
+    pub fn step(&mut self, observer: &mut impl Observer<S>) -> Result<bool, SimulationError> {
+        self.step_before(self.limits.duration.unwrap_or(S::INFINITY), observer)
+    }
+
+    /// Goes on for up to `events` steps; says whether the run goes on.
+    pub fn advance(&mut self, steps: u64, observer: &mut impl Observer<S>) -> Result<bool, SimulationError> {
+        let limit = self.limits.duration.unwrap_or(S::INFINITY);
+        for _ in 0..steps {
+            if !self.step_before(limit, observer)? {
+                return Ok(false);
+            }
+        }
+        Ok(self.status.is_none())
+    }
+
+    /// Goes on to the end.
+    pub fn run(&mut self, observer: &mut impl Observer<S>) -> Result<Status, SimulationError> {
+        let limit = self.limits.duration.unwrap_or(S::INFINITY);
+        while self.step_before(limit, observer)? {}
+        Ok(self.status.unwrap_or(Status::Stopped))
+    }
+
+    /// Lets everything up to `time` happen, if the run goes on for so long, and moves the present there.
+    pub fn run_until(&mut self, time: S, observer: &mut impl Observer<S>) -> Result<(), SimulationError> {
+        while self.advance_until(time, u64::MAX, observer)? {}
+        if self.status.is_none() && self.limits.duration.is_some_and(|end| time >= end) {
+            self.step(observer)?;
+        }
+        if self.status.is_none() && time > self.time {
+            self.time = time;
+        }
+        Ok(())
+    }
+
+    /// Goes on for up to `steps` steps, no further than `time`; says whether more are due up to then.
+    pub fn advance_until(
+        &mut self,
+        time: S,
+        steps: u64,
+        observer: &mut impl Observer<S>,
+    ) -> Result<bool, SimulationError> {
+        for _ in 0..steps {
+            if self.status.is_some() || self.discs.queue.first().1 > time {
+                return Ok(false);
+            }
+            self.step(observer)?;
+        }
+        Ok(true)
+    }
+
+    /// Ends the run here.
+    pub fn stop(&mut self, status: Status) {
+        if self.status.is_none() {
+            self.end(status, self.time);
+        }
+    }
+
+    #[inline]
+    fn step_before(&mut self, limit: S, observer: &mut impl Observer<S>) -> Result<bool, SimulationError> {
+        if self.status.is_some() {
+            return Ok(false);
+        }
+        if let Some(status) = self.reached_limit() {
+            self.end(status, self.time);
+            return Ok(false);
+        }
+        match self.discs.step(limit, observer) {
+            Some(time) => self.time = time,
+            None => self.end_without_event(limit)?,
+        }
+        if let Some(fault) = self.discs.fault {
+            self.end_by_fault(fault)?;
+        }
+        Ok(self.status.is_none())
+    }
+
+    #[inline(always)]
+    fn reached_limit(&self) -> Option<Status> {
+        let diagnostics = &self.discs.diagnostics;
+        if self.limits.until.is_some_and(|kind| diagnostics.events[kind as usize] > self.seen) {
+            Some(Status::Stopped)
+        } else if self.limits.collisions.is_some_and(|most| diagnostics.collisions() >= most) {
+            Some(Status::CollisionLimit)
+        } else if diagnostics.total_events() >= self.limits.max_events {
+            Some(Status::EventLimit)
+        } else {
+            None
+        }
+    }
+
+    fn end_without_event(&mut self, limit: S) -> Result<(), SimulationError> {
+        if self.discs.is_at_rest() {
+            self.end(Status::AtRest, self.time);
+        } else if limit == S::INFINITY {
+            let moving = self.discs.flights.iter().position(|flight| !flight.is_rest());
+            let ball = self.discs.system.ball_ids[moving.unwrap_or(0)].clone();
+            return Err(SimulationError::Escape { ball, time: self.time.to_f64() });
+        } else {
+            self.end(Status::TimeLimit, if limit > self.time { limit } else { self.time });
+        }
+        Ok(())
+    }
+
+    #[cold]
+    fn end_by_fault(&mut self, fault: Fault) -> Result<(), SimulationError> {
+        match fault {
+            Fault::Overlap(ball) => Err(SimulationError::Overlap {
+                ball: self.discs.system.ball_ids[ball as usize].clone(),
+                time: self.time.to_f64(),
+                depth: self.discs.diagnostics.deepest_overlap,
+            }),
+            Fault::Collapse(_) => {
+                self.end(Status::Collapsed, self.time);
+                Ok(())
+            }
+        }
+    }
+
+    fn end(&mut self, status: Status, time: S) {
+        self.time = time;
+        self.status = Some(status);
+        self.discs.audit(time);
+    }
+
+    /// Position and velocity of each ball at the present time.
+    pub fn state(&self) -> Vec<State<S>> {
+        (0..self.discs.flights.len()).map(|ball| self.discs.state_at(ball, self.time)).collect()
+    }
+
+    /// What each ball is about to do, in the order of the balls.
+    pub fn candidates(&mut self) -> Vec<Coming<S>> {
+        self.discs.refresh();
+        (0..self.discs.flights.len()).map(|ball| self.coming(ball)).collect()
+    }
+
+    fn coming(&self, ball: usize) -> Coming<S> {
+        let pending = &self.discs.pending[ball];
+        let position = self.discs.state_at(ball, self.time).0;
+        let radius = self.discs.system.discs[ball].radius;
+        let (kind, other, cushion, gap) = match pending.target {
+            Target::Nothing => (None, None, None, None),
+            Target::Ball(other, _) => {
+                let distance = (self.discs.state_at(other as usize, self.time).0 - position).norm();
+                let gap = distance - radius - self.discs.system.discs[other as usize].radius;
+                (Some(Kind::BallBall), Some(other), None, Some(gap))
+            }
+            Target::Cushion(cushion) => {
+                let system = &self.discs.system;
+                let gap =
+                    cushion_gap(position, radius, &system.faces.all[cushion as usize], &system.tolerance);
+                (Some(Kind::BallCushion), None, Some(cushion), gap)
+            }
+            Target::Release(cushion) => (Some(Kind::Release), None, Some(cushion), None),
+        };
+        Coming { ball, kind, other, cushion, time: pending.time, gap }
+    }
+
+    /// The run so far, with what `log` kept of it; one that has not ended counts as stopped.
+    pub fn finish(mut self, log: Log<S>) -> Run<S> {
+        self.stop(Status::Stopped);
+        let status = self.status.unwrap_or(Status::Stopped);
+        let balls = self.discs.flights.into_iter().zip(self.discs.tracks).collect();
+        Run::new(self.discs.system, (status, self.time), self.discs.diagnostics, log, balls)
+    }
+
+    /// What the run found out about itself so far.
+    pub fn diagnostics(&self) -> &crate::run::Diagnostics {
+        &self.discs.diagnostics
+    }
+}

@@ -1,0 +1,160 @@
+//! A contact of two: a ball with a cushion, or with another ball.
+//!
+//! The two get their new velocities and predictions first. Only if these find a third thing in touch is the contact
+//! undone and the whole cluster resolved instead.
+
+use super::discs::{Discs, Target};
+use crate::detect::cushion_gap;
+use crate::flight::{Flight, State};
+use crate::geometry::Vec2;
+use crate::law::ball_ball::Pair;
+use crate::model::closing_threshold;
+use crate::run::{Event, Kind, Observer};
+use crate::scalar::Scalar;
+
+impl<S: Scalar> Discs<S> {
+    /// A ball meets a cushion.
+    #[inline]
+    pub(super) fn strike_cushion(
+        &mut self,
+        ball: usize,
+        cushion: u32,
+        time: S,
+        offset: S,
+        observer: &mut impl Observer<S>,
+    ) {
+        let flight = &self.flights[ball];
+        let (position, velocity) = (flight.position_after(offset), flight.velocity_after(offset));
+        let disc = self.system.discs[ball];
+        let (normal, scale) = self.system.faces.all[cushion as usize].normal_at(position);
+        let rebound = self.cushion_law(ball, cushion, time).rebound(velocity, normal, scale);
+        let was_held = self.tracks[ball].is_held();
+        self.begin_flight(ball, time, position, rebound.velocity);
+        self.tracks[ball].last_cushion = Some(cushion);
+        if self.predict(ball, Target::Cushion(cushion)) || was_held {
+            self.strike_cluster(&[(ball, position, velocity)], time, observer);
+            return;
+        }
+        self.note_contact(ball, time);
+        let half_mass = S::from_f64(0.5) * disc.mass;
+        let change = half_mass * (rebound.velocity.norm_squared() - velocity.norm_squared());
+        self.diagnostics.account(change.to_f64(), (disc.mass * rebound.energy_loss).to_f64());
+        let event = Event {
+            time,
+            kind: Kind::BallCushion,
+            ball_a: ball as u32,
+            ball_b: None,
+            cushion: Some(cushion),
+            point: self.system.faces.all[cushion as usize].foot(position),
+            normal,
+            closing_speed: -rebound.normal_velocity,
+            impulse: (rebound.velocity - velocity).dot(normal) * scale * disc.mass,
+            cluster: None,
+        };
+        if !self.has_field || event.closing_speed > closing_threshold(velocity, Vec2::ZERO) {
+            self.emit(&event, observer);
+        }
+        if self.has_field && self.settle(ball, &[cushion], observer) {
+            self.predict(ball, Target::Cushion(cushion));
+        }
+        observer.flight(ball, &self.flights[ball]);
+    }
+
+    /// Two balls meet.
+    pub(super) fn strike_ball(
+        &mut self,
+        ball: usize,
+        other: usize,
+        time: S,
+        offset: S,
+        observer: &mut impl Observer<S>,
+    ) {
+        let (a, b) = if ball < other { (ball, other) } else { (other, ball) };
+        let flights = [self.flights[a], self.flights[b]];
+        let start = if flights[0].start > flights[1].start { flights[0].start } else { flights[1].start };
+        let [(position_a, velocity_a), (position_b, velocity_b)] =
+            flights.map(|f| state_after(&f, start, offset));
+        let discs = [self.system.discs[a], self.system.discs[b]];
+        let pair = Pair::new([&discs[0], &discs[1]], position_b - position_a, [velocity_a, velocity_b]);
+        let law = self.ball_law(a, b, time);
+        let impulse = law.impulse(&pair);
+        let after_a = velocity_a - pair.normal * (impulse * discs[0].inverse_mass);
+        let after_b = velocity_b + pair.normal * (impulse * discs[1].inverse_mass);
+        let was_held = self.tracks[a].is_held() || self.tracks[b].is_held();
+        self.begin_flight(a, time, position_a, after_a);
+        self.begin_flight(b, time, position_b, after_b);
+        self.forget_left_cushion(a);
+        self.forget_left_cushion(b);
+        let touching_a = self.predict(a, Target::Ball(b as u32, 0));
+        let touching_b = self.predict(b, Target::Ball(a as u32, 0));
+        if touching_a || touching_b || was_held {
+            let struck = [(a, position_a, velocity_a), (b, position_b, velocity_b)];
+            self.strike_cluster(&struck, time, observer);
+            return;
+        }
+        self.note_contact(a, time);
+        self.note_contact(b, time);
+        self.account_pair(
+            &discs.map(|d| d.mass),
+            [velocity_a, velocity_b],
+            [after_a, after_b],
+            law.energy_loss(&pair),
+        );
+        let event = Event {
+            time,
+            kind: Kind::BallBall,
+            ball_a: a as u32,
+            ball_b: Some(b as u32),
+            cushion: None,
+            point: position_a + pair.normal * discs[0].radius,
+            normal: pair.normal,
+            closing_speed: pair.closing_speed,
+            impulse,
+            cluster: None,
+        };
+        self.emit(&event, observer);
+        observer.flight(a, &self.flights[a]);
+        observer.flight(b, &self.flights[b]);
+    }
+
+    /// Forgets the cushion that a point touched last, once it has left it.
+    fn forget_left_cushion(&mut self, ball: usize) {
+        let radius = self.system.discs[ball].radius;
+        if radius > S::ZERO || !self.system.has_backs {
+            return;
+        }
+        if let Some(cushion) = self.tracks[ball].last_cushion {
+            let tolerance = &self.system.tolerance;
+            let cushion = &self.system.faces.all[cushion as usize];
+            let gap = cushion_gap(self.flights[ball].position, radius, cushion, tolerance);
+            if !gap.is_some_and(|gap| gap.abs() <= tolerance.of(radius)) {
+                self.tracks[ball].last_cushion = None;
+            }
+        }
+    }
+
+    fn account_pair(&mut self, masses: &[S; 2], before: [Vec2<S>; 2], after: [Vec2<S>; 2], loss: S) {
+        let mut change = S::ZERO;
+        let mut momentum = Vec2::ZERO;
+        for k in 0..2 {
+            change += masses[k] * (after[k].norm_squared() - before[k].norm_squared());
+            momentum = momentum + (after[k] - before[k]) * masses[k];
+        }
+        self.diagnostics.account((change * S::from_f64(0.5)).to_f64(), loss.to_f64());
+        let error = momentum.x.abs() + momentum.y.abs();
+        self.diagnostics.momentum_error = self.diagnostics.momentum_error.max(error.to_f64());
+    }
+}
+
+/// Position and velocity an `offset` after `start`, which is not before the flight's own start.
+#[inline(always)]
+fn state_after<S: Scalar>(flight: &Flight<S>, start: S, offset: S) -> State<S> {
+    let elapsed = start - flight.start;
+    let from_start = Flight {
+        start,
+        position: flight.position_after(elapsed),
+        velocity: flight.velocity_after(elapsed),
+        acceleration: flight.acceleration,
+    };
+    (from_start.position_after(offset), from_start.velocity_after(offset))
+}

@@ -1,0 +1,48 @@
+//! How things move between events.
+//!
+//! A disc's flight is a polynomial of degree two: `x(t) = x0 + v0 (t − t0) + ½ a (t − t0)²`. The acceleration is zero
+//! in free flight, the field's in a constant field, and the field's projection on the cushion for a held ball.
+
+use crate::geometry::Vec2;
+use crate::scalar::Scalar;
+
+/// A disc's position and velocity at some moment.
+pub type State<S> = (Vec2<S>, Vec2<S>);
+
+/// A disc's closed-form motion since its own last event. Nothing but an event of that disc replaces it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Flight<S> {
+    /// The time at which the flight begins.
+    pub start: S,
+    /// Position of the centre at that time.
+    pub position: Vec2<S>,
+    /// Velocity at that time.
+    pub velocity: Vec2<S>,
+    /// Constant acceleration.
+    pub acceleration: Vec2<S>,
+}
+
+impl<S: Scalar> Flight<S> {
+    /// Position a time `elapsed` after the start.
+    #[inline(always)]
+    pub fn position_after(&self, elapsed: S) -> Vec2<S> {
+        self.position + (self.velocity + self.acceleration * (elapsed * S::from_f64(0.5))) * elapsed
+    }
+
+    /// Velocity a time `elapsed` after the start.
+    #[inline(always)]
+    pub fn velocity_after(&self, elapsed: S) -> Vec2<S> {
+        self.velocity + self.acceleration * elapsed
+    }
+
+    /// Whether the flight has no acceleration.
+    #[inline(always)]
+    pub fn is_straight(&self) -> bool {
+        self.acceleration.x == S::ZERO && self.acceleration.y == S::ZERO
+    }
+
+    /// Whether the disc does not move, now or later.
+    pub fn is_rest(&self) -> bool {
+        self.is_straight() && self.velocity == Vec2::ZERO
+    }
+}

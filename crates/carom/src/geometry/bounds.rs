@@ -1,0 +1,62 @@
+//! The box around pieces of boundary.
+
+use super::{Arc, Piece, Vec2};
+use crate::scalar::Scalar;
+
+/// A box with sides along the axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds<S> {
+    /// The lower left corner.
+    pub min: Vec2<S>,
+    /// The upper right corner.
+    pub max: Vec2<S>,
+}
+
+impl<S: Scalar> Bounds<S> {
+    /// The smallest box around some pieces; turned inside out where there are none.
+    pub fn around<'a>(pieces: impl Iterator<Item = &'a Piece<S>>) -> Self {
+        let mut bounds =
+            Self { min: Vec2::new(S::INFINITY, S::INFINITY), max: Vec2::new(-S::INFINITY, -S::INFINITY) };
+        for piece in pieces {
+            bounds.include(piece.start());
+            bounds.include(piece.end());
+            if let Piece::Arc(arc) = piece {
+                arc.extremes().for_each(|point| bounds.include(point));
+            }
+        }
+        bounds
+    }
+
+    /// The larger side.
+    pub fn size(&self) -> S {
+        let sides = self.max - self.min;
+        if sides.x > sides.y { sides.x } else { sides.y }
+    }
+
+    fn include(&mut self, point: Vec2<S>) {
+        if point.x < self.min.x {
+            self.min.x = point.x;
+        }
+        if point.y < self.min.y {
+            self.min.y = point.y;
+        }
+        if point.x > self.max.x {
+            self.max.x = point.x;
+        }
+        if point.y > self.max.y {
+            self.max.y = point.y;
+        }
+    }
+}
+
+impl<S: Scalar> Arc<S> {
+    /// The points of the arc that lie furthest right, up, left and down on its circle, those of them that it has.
+    fn extremes(&self) -> impl Iterator<Item = Vec2<S>> {
+        let right = Vec2::new(S::ONE, S::ZERO);
+        let up = right.left();
+        [right, up, -right, -up]
+            .into_iter()
+            .filter(|ray| self.spans(*ray, S::ZERO))
+            .map(|ray| self.center + ray * self.radius)
+    }
+}

@@ -1,0 +1,99 @@
+//! Laws of several contacts at one instant.
+//!
+//! A cluster is the balls and cushions that touch each other when one of them is struck. Its contacts are given in order
+//! of their place, never of their numbers, so that a renumbering changes no bit.
+
+mod complementarity;
+mod pairwise;
+mod reflections;
+
+pub use pairwise::resolve_pairwise;
+pub use reflections::resolve_reflections;
+
+use crate::geometry::Vec2;
+use crate::model::closing_threshold;
+use crate::scalar::Scalar;
+
+/// A ball in a cluster.
+#[derive(Clone, Copy, Debug)]
+pub struct Body<S> {
+    /// Its velocity, which the law changes.
+    pub velocity: Vec2<S>,
+    /// One over its mass.
+    pub inverse_mass: S,
+}
+
+/// A contact in a cluster: between two bodies, or of one with a cushion.
+#[derive(Clone, Copy, Debug)]
+pub struct Touch<S> {
+    /// The first body.
+    pub a: usize,
+    /// The second body; `None` for a cushion.
+    pub b: Option<usize>,
+    /// Unit vector from the first body to the second, or into the cushion.
+    pub normal: Vec2<S>,
+    /// Coefficient of restitution.
+    pub restitution: S,
+    /// Normal impulse received so far.
+    pub impulse: S,
+    /// Closing speed when the contact first closed; zero if it never did.
+    pub closing_speed: S,
+}
+
+/// How a cluster was resolved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Passes {
+    /// Passes made.
+    pub count: u32,
+    /// Whether the last one had to be without restitution.
+    pub forced: bool,
+}
+
+/// Passes allowed for each ball of a cluster before the last one, which is without restitution.
+const PASSES_PER_BALL: usize = 8;
+
+impl<S: Scalar> Touch<S> {
+    /// A contact that has received nothing yet.
+    pub fn new(a: usize, b: Option<usize>, normal: Vec2<S>, restitution: S) -> Self {
+        Self { a, b, normal, restitution, impulse: S::ZERO, closing_speed: S::ZERO }
+    }
+
+    /// The speed at which the gap opens (negative while closing).
+    fn gap_rate(&self, bodies: &[Body<S>]) -> S {
+        (self.velocity_b(bodies) - bodies[self.a].velocity).dot(self.normal)
+    }
+
+    /// Whether the gap closes, beyond the round-off of the velocities.
+    fn is_closing(&self, bodies: &[Body<S>]) -> bool {
+        let threshold = closing_threshold(bodies[self.a].velocity, self.velocity_b(bodies));
+        self.gap_rate(bodies) < -threshold
+    }
+
+    fn velocity_b(&self, bodies: &[Body<S>]) -> Vec2<S> {
+        self.b.map_or(Vec2::ZERO, |b| bodies[b].velocity)
+    }
+
+    /// Gives both bodies the normal impulse `impulse` and adds it to the contact's account.
+    fn apply(&mut self, impulse: S, bodies: &mut [Body<S>]) {
+        let push = self.normal * impulse;
+        let a = &mut bodies[self.a];
+        a.velocity = a.velocity - push * a.inverse_mass;
+        if let Some(b) = self.b {
+            let b = &mut bodies[b];
+            b.velocity = b.velocity + push * b.inverse_mass;
+        }
+        self.impulse += impulse;
+    }
+
+    /// Remembers the closing speed of the contact's first closing.
+    fn note_closing(&mut self, speed: S) {
+        if self.closing_speed == S::ZERO {
+            self.closing_speed = speed;
+        }
+    }
+}
+
+/// The indices of the contacts that close.
+fn closing_touches<S: Scalar>(touches: &[Touch<S>], bodies: &[Body<S>]) -> Vec<usize> {
+    (0..touches.len()).filter(|&k| touches[k].is_closing(bodies)).collect()
+}

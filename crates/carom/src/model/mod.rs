@@ -1,0 +1,11 @@
+//! What exists: discs, the table, and the faces of its cushions.
+
+mod disc;
+mod face;
+mod table;
+mod tolerance;
+
+pub use disc::Disc;
+pub use face::{Face, Faces, Line, Room, Round};
+pub use table::{Corner, Cushion, JOINT_TOLERANCE, Outline, OutlineKind, Table, circle, rectangle};
+pub use tolerance::{ContactTolerance, closing_threshold};

@@ -1,0 +1,22 @@
+//! What came out of a computation: status, events, flights, diagnostics; so, the state at any time.
+
+mod diagnostics;
+mod digest;
+mod event;
+mod file;
+mod observer;
+mod state;
+mod status;
+mod steps;
+
+pub use diagnostics::Diagnostics;
+pub use digest::{Digest, digest};
+pub use event::{Event, Kind};
+pub use file::{RunFileError, VERSION, from_json, to_json};
+pub use observer::{Log, Nothing, Observer};
+pub use state::{QueryError, Run, Track};
+pub use status::{SimulationError, Status};
+pub use steps::{Hit, Step, Steps};
+
+/// Raised by any change that moves a trajectory; stored with every saved run and every golden digest.
+pub const PHYSICS_VERSION: u32 = 1;

@@ -1,0 +1,198 @@
+//! A run, and the state it gives at any time.
+
+use super::diagnostics::Diagnostics;
+use super::digest::{Digest, digest};
+use super::observer::Log;
+use super::status::Status;
+use super::steps::Steps;
+use crate::flight::{Flight, State};
+use crate::geometry::Vec2;
+use crate::scalar::Scalar;
+use crate::scenario::System;
+use std::sync::{Arc, OnceLock};
+use thiserror::Error;
+
+/// What a ball carries from event to event beside its flight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Track<S> {
+    /// Changes of course so far.
+    pub changes: u64,
+    /// Straight cushions that hold the ball.
+    pub held_by: [Option<u32>; 2],
+    /// The cushion it touched last; tells a point on which side of a thin wall it is.
+    pub last_cushion: Option<u32>,
+    /// Time of its last event.
+    pub last_contact: S,
+    /// Start of the present burst of events.
+    pub burst_start: S,
+    /// Events in it.
+    pub burst: u32,
+}
+
+/// What came out of a computation.
+#[derive(Clone, Debug)]
+pub struct Run<S> {
+    /// What was computed.
+    pub system: Arc<System<S>>,
+    /// Why it ended.
+    pub status: Status,
+    /// When it ended.
+    pub end_time: S,
+    /// What it found out about itself.
+    pub diagnostics: Diagnostics,
+    /// What was kept of its course.
+    pub log: Log<S>,
+    /// The last flight of each ball and what goes with it: all that is needed to go on.
+    pub balls: Vec<(Flight<S>, Track<S>)>,
+    /// The steps of the fixed-step method, whose states are not those of flights.
+    pub steps: Option<Steps<S>>,
+    flights_of_balls: OnceLock<Vec<Vec<u32>>>,
+}
+
+/// Why the state at a time cannot be told.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum QueryError {
+    /// The time is before the start, after the end, or not a number.
+    #[error("time {time} is outside the run, which goes from 0 to {end}")]
+    OutsideRun {
+        /// The time asked for.
+        time: f64,
+        /// The end of the run.
+        end: f64,
+    },
+    /// The run did not keep its flights.
+    #[error(
+        "the run kept no flights, so only the state at its end, {end}, is known; run with record = \"all\""
+    )]
+    NotKept {
+        /// The end of the run.
+        end: f64,
+    },
+}
+
+impl<S: Scalar> Track<S> {
+    /// A ball that nothing has happened to.
+    pub fn new() -> Self {
+        Self {
+            changes: 0,
+            held_by: [None; 2],
+            last_cushion: None,
+            last_contact: -S::INFINITY,
+            burst_start: -S::INFINITY,
+            burst: 0,
+        }
+    }
+
+    /// Whether a cushion holds the ball.
+    #[inline(always)]
+    pub fn is_held(&self) -> bool {
+        self.held_by[0].is_some()
+    }
+}
+
+impl<S: Scalar> Default for Track<S> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: Scalar> Run<S> {
+    /// A run put together from its parts.
+    pub fn new(
+        system: Arc<System<S>>,
+        (status, end_time): (Status, S),
+        diagnostics: Diagnostics,
+        log: Log<S>,
+        balls: Vec<(Flight<S>, Track<S>)>,
+    ) -> Self {
+        Self {
+            system,
+            status,
+            end_time,
+            diagnostics,
+            log,
+            balls,
+            steps: None,
+            flights_of_balls: OnceLock::new(),
+        }
+    }
+
+    /// Position and velocity of each ball at a time from 0 to the end (or later, when everything rests).
+    pub fn state(&self, time: S) -> Result<Vec<State<S>>, QueryError> {
+        self.check_time(time)?;
+        if let Some(steps) = &self.steps {
+            return Ok(steps.state(time));
+        }
+        Ok((0..self.balls.len()).map(|ball| after(self.flight(ball, time), time)).collect())
+    }
+
+    /// Position and velocity of each ball at the end.
+    pub fn final_state(&self) -> Vec<State<S>> {
+        match &self.steps {
+            Some(steps) => steps.state(self.end_time),
+            None => self.balls.iter().map(|(flight, _)| after(flight, self.end_time)).collect(),
+        }
+    }
+
+    /// Kinetic energy of all balls at a time.
+    pub fn energy(&self, time: S) -> Result<S, QueryError> {
+        let mut sum = S::ZERO;
+        for ((_, velocity), disc) in self.state(time)?.iter().zip(&self.system.discs) {
+            sum += disc.mass * velocity.norm_squared();
+        }
+        Ok(sum * S::from_f64(0.5))
+    }
+
+    /// Momentum of all balls at a time.
+    pub fn momentum(&self, time: S) -> Result<Vec2<S>, QueryError> {
+        let mut sum = Vec2::ZERO;
+        for ((_, velocity), disc) in self.state(time)?.iter().zip(&self.system.discs) {
+            sum = sum + *velocity * disc.mass;
+        }
+        Ok(sum)
+    }
+
+    /// The digest of the run's end; `None` if any number in it is NaN.
+    pub fn digest(&self) -> Option<Digest> {
+        let f64s = |v: Vec2<S>| Vec2::new(v.x.to_f64(), v.y.to_f64());
+        let state = self.final_state().into_iter().map(|(x, v)| (f64s(x), f64s(v)));
+        digest(self.diagnostics.total_events(), self.end_time.to_f64(), state)
+    }
+
+    fn check_time(&self, time: S) -> Result<(), QueryError> {
+        let end = self.end_time.to_f64();
+        let is_inside = time >= S::ZERO && (time <= self.end_time || self.status == Status::AtRest);
+        if !is_inside || !time.is_finite() {
+            return Err(QueryError::OutsideRun { time: time.to_f64(), end });
+        }
+        if !self.log.keeps_flights && self.steps.is_none() && time < self.end_time {
+            return Err(QueryError::NotKept { end });
+        }
+        Ok(())
+    }
+
+    /// The flight a ball is on at a time; at an event's own time, the one that begins there.
+    fn flight(&self, ball: usize, time: S) -> &Flight<S> {
+        if !self.log.keeps_flights {
+            return &self.balls[ball].0;
+        }
+        let flights = &self.flights_by_ball()[ball];
+        let later = flights.partition_point(|&k| self.log.flights[k as usize].1.start <= time);
+        &self.log.flights[flights[later.max(1) - 1] as usize].1
+    }
+
+    fn flights_by_ball(&self) -> &[Vec<u32>] {
+        self.flights_of_balls.get_or_init(|| {
+            let mut by_ball = vec![Vec::new(); self.balls.len()];
+            for (k, (ball, _)) in self.log.flights.iter().enumerate() {
+                by_ball[*ball as usize].push(k as u32);
+            }
+            by_ball
+        })
+    }
+}
+
+fn after<S: Scalar>(flight: &Flight<S>, time: S) -> State<S> {
+    let elapsed = time - flight.start;
+    (flight.position_after(elapsed), flight.velocity_after(elapsed))
+}

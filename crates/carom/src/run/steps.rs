@@ -1,0 +1,52 @@
+//! The steps of the fixed-step method, and the state between them.
+
+use super::event::Kind;
+use crate::flight::State;
+use crate::scalar::Scalar;
+
+/// A ball's hit in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit<S> {
+    /// Time from the start of the step to the hit; from then on the ball waits for the end of the step.
+    pub after: S,
+    /// With what.
+    pub kind: Kind,
+}
+
+/// The moment at which a step begins, and what happens in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step<S> {
+    /// When it begins.
+    pub time: S,
+    /// Position and velocity of each ball then.
+    pub balls: Vec<State<S>>,
+    /// Each ball's hit in the step.
+    pub hits: Vec<Option<Hit<S>>>,
+}
+
+/// All steps of a run; the last entry is its end, in which nothing happens.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Steps<S> {
+    /// The steps in order of time.
+    pub steps: Vec<Step<S>>,
+    /// Time lost by balls that waited for the end of a step, summed over balls.
+    pub lost_time: f64,
+}
+
+impl<S: Scalar> Steps<S> {
+    /// Position and velocity of each ball at a time within the run.
+    pub fn state(&self, time: S) -> Vec<State<S>> {
+        let later = self.steps.partition_point(|step| step.time <= time).max(1);
+        let step = &self.steps[later - 1];
+        let next = self.steps.get(later);
+        let elapsed = time - step.time;
+        let state = |ball: usize| {
+            let (position, velocity) = step.balls[ball];
+            match (step.hits[ball], next) {
+                (Some(hit), Some(next)) if elapsed >= hit.after => next.balls[ball],
+                _ => (position + velocity * elapsed, velocity),
+            }
+        };
+        (0..step.balls.len()).map(state).collect()
+    }
+}

@@ -1,0 +1,56 @@
+//! Whether a run without a duration can end.
+
+use super::{Draft, Findings};
+use crate::geometry::{Piece, Vec2};
+use crate::model::Table;
+use crate::scenario::schema::{Ball, Flight, Physics};
+
+/// Notes a missing duration where not everything comes to rest.
+pub(super) fn check_ending(draft: &Draft<'_>, table: Option<&Table<f64>>, findings: &mut Findings) {
+    let is_sound = ["duration", "collisions", "physics", "method", "table", "balls"]
+        .iter()
+        .all(|key| findings.is_sound(key));
+    if draft.duration.is_some() || draft.collisions.is_some() || !is_sound {
+        return;
+    }
+    let Some(reason) = table.and_then(|table| never_rests(draft, table)) else { return };
+    findings.add(
+        "duration",
+        format!("missing, and not everything comes to rest: {reason}; give duration or collisions"),
+    );
+}
+
+/// Why not everything comes to rest, if it does not.
+fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
+    let field = match draft.physics.flight {
+        Flight::Free => Vec2::ZERO,
+        Flight::Field { acceleration } => Vec2::from_f64(acceleration),
+    };
+    if field != Vec2::ZERO {
+        return elastic_floor(draft.physics, table, field).map(|id| {
+            format!("cushion {id:?}, onto which the field pulls, gives all the normal speed back")
+        });
+    }
+    let is_dead = |id: &str| draft.physics.law_of_cushion(id).factors() == [0.0, 0.0];
+    if table.cushions().all(|cushion| is_dead(&cushion.id)) {
+        return None;
+    }
+    let is_moving = |(index, ball): &(usize, &Ball)| {
+        ball.start(*index, draft.ball_defaults, &mut |_, value| value).velocity != Vec2::ZERO
+    };
+    let (_, ball) = draft.balls().find(is_moving)?;
+    Some(format!("no field pulls ball {:?} onto a cushion that would hold it", ball.id))
+}
+
+/// A cushion onto which a field pulls and that loses no energy.
+fn elastic_floor<'a>(physics: &Physics, table: &'a Table<f64>, field: Vec2<f64>) -> Option<&'a str> {
+    let pulled_onto = |piece: &Piece<f64>| {
+        let facing = |point| piece.direction_at(point).left();
+        [piece.start(), piece.middle(), piece.end()].into_iter().any(|point| facing(point).dot(field) < 0.0)
+    };
+    let is_elastic = |id: &str| physics.law_of_cushion(id).factors()[0] == 1.0;
+    table
+        .cushions()
+        .find(|cushion| pulled_onto(&cushion.piece) && is_elastic(&cushion.id))
+        .map(|c| c.id.as_str())
+}

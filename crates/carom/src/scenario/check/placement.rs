@@ -1,0 +1,114 @@
+//! Where the balls are: inside the table, outside the obstacles, and not in each other.
+
+use super::{Draft, Findings, Rounded};
+use crate::geometry::{Piece, Vec2, signed_distance};
+use crate::model::{ContactTolerance, Outline, OutlineKind, Table};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// So many overlapping pairs are named, and no more sought.
+const MOST_OVERLAPS: usize = 1000;
+
+/// A ball as far as its place is concerned.
+struct Disc<'a> {
+    index: usize,
+    id: &'a str,
+    radius: f64,
+    center: Vec2<f64>,
+}
+
+/// Notes balls outside the table or in an obstacle, and balls that overlap.
+pub(super) fn check_placement(draft: &Draft<'_>, table: &Table<f64>, findings: &mut Findings) {
+    let discs = discs(draft, findings);
+    let tolerance = ContactTolerance::new(table.size());
+    let outlines: Vec<(&Outline<f64>, Vec<Piece<f64>>)> = table
+        .outlines
+        .iter()
+        .map(|outline| (outline, outline.cushions.iter().map(|c| c.piece).collect()))
+        .collect();
+    for disc in &discs {
+        for (outline, pieces) in &outlines {
+            if let Some(message) = intrusion(disc, outline, pieces, tolerance) {
+                findings.add(format_args!("balls[{}].position", disc.index), message);
+            }
+        }
+    }
+    check_overlaps(&discs, tolerance, findings);
+}
+
+/// The balls whose place and radius are sound.
+fn discs<'a>(draft: &Draft<'a>, findings: &Findings) -> Vec<Disc<'a>> {
+    let is_sound = |index: usize, own_radius: bool| {
+        let key = |key: &str| findings.is_sound(format_args!("balls[{index}].{key}"));
+        key("position") && key("radius") && (own_radius || findings.is_sound("ball_defaults.radius"))
+    };
+    let sound = draft.balls().filter(|(index, ball)| is_sound(*index, ball.radius.is_some()));
+    sound
+        .map(|(index, ball)| {
+            let start = ball.start(index, draft.ball_defaults, &mut |_, value| value);
+            Disc { index, id: &ball.id, radius: start.radius, center: start.position }
+        })
+        .collect()
+}
+
+/// What is wrong with the place of a ball with respect to one outline.
+fn intrusion(
+    disc: &Disc<'_>,
+    outline: &Outline<f64>,
+    pieces: &[Piece<f64>],
+    tolerance: ContactTolerance<f64>,
+) -> Option<String> {
+    let tolerance = tolerance.of(disc.radius);
+    if outline.kind != OutlineKind::Wall && signed_distance(pieces, disc.center) < -tolerance {
+        return Some(match outline.kind {
+            OutlineKind::Boundary => format!("ball {:?} lies outside the table", disc.id),
+            _ => format!("ball {:?} lies inside obstacle {:?}", disc.id, outline.id),
+        });
+    }
+    let mut cut = Vec::new();
+    for cushion in &outline.cushions {
+        let depth = disc.radius - cushion.piece.foot(disc.center).distance;
+        if depth > tolerance {
+            cut.push(format!("cushion {:?} by {}", cushion.id, Rounded(depth)));
+        }
+    }
+    (!cut.is_empty()).then(|| format!("ball {:?} reaches past {}", disc.id, cut.join(" and ")))
+}
+
+/// Notes pairs of balls that overlap, sought among neighbours in a grid of cells as wide as the largest ball.
+fn check_overlaps(discs: &[Disc<'_>], tolerance: ContactTolerance<f64>, findings: &mut Findings) {
+    let largest = discs.iter().fold(0.0, |most, disc| if disc.radius > most { disc.radius } else { most });
+    let width = 2.0 * largest;
+    if width <= 0.0 {
+        return;
+    }
+    let cell = |center: Vec2<f64>| [(center.x / width).floor(), (center.y / width).floor()];
+    let mut cells: BTreeMap<[i64; 2], Vec<&Disc<'_>>> = BTreeMap::new();
+    let mut found = 0;
+    for disc in discs {
+        let own = cell(disc.center);
+        for other in neighbours(own).iter().filter_map(|key| cells.get(key)).flatten() {
+            let Some(depth) = overlap(other, disc, tolerance) else { continue };
+            let message = format!("ball {:?} overlaps ball {:?} by {}", disc.id, other.id, Rounded(depth));
+            findings.add(format_args!("balls[{}].position", disc.index), message);
+            found += 1;
+            if found == MOST_OVERLAPS {
+                return findings.note("balls", format!("{found} pairs overlap, and perhaps more"));
+            }
+        }
+        cells.entry(own.map(|number| number as i64)).or_default().push(disc);
+    }
+}
+
+/// A cell and those around it; as a set, since far from the origin cells are no longer told apart.
+fn neighbours([column, row]: [f64; 2]) -> BTreeSet<[i64; 2]> {
+    let steps = [-1.0, 0.0, 1.0];
+    let around = steps.iter().flat_map(|right| steps.iter().map(move |up| [column + right, row + up]));
+    around.map(|cell| cell.map(|number| number as i64)).collect()
+}
+
+/// How deep two balls overlap, where it is more than contact; two points never do.
+fn overlap(a: &Disc<'_>, b: &Disc<'_>, tolerance: ContactTolerance<f64>) -> Option<f64> {
+    let radii = a.radius + b.radius;
+    let depth = radii - (a.center - b.center).norm();
+    (radii > 0.0 && depth > tolerance.of(radii)).then_some(depth)
+}

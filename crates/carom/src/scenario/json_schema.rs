@@ -1,0 +1,45 @@
+//! The JSON Schema of scenarios, made from the structs that hold them: for editors, the page and the structure check.
+
+use super::schema::Scenario;
+use serde_json::{Value, json};
+use std::sync::LazyLock;
+
+/// The JSON Schema (draft 2020-12) of a scenario.
+pub fn json_schema() -> &'static Value {
+    static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
+        let mut schema = schemars::schema_for!(Scenario).to_value();
+        forget_null(&mut schema);
+        if let Value::Object(keys) = &mut schema {
+            keys.insert("$id".into(), json!("urn:carom:scenario:1"));
+            keys.insert("title".into(), json!("Carom scenario"));
+        }
+        schema
+    });
+    &SCHEMA
+}
+
+/// Takes out the alternative `null`: in a file, what is absent is left out.
+fn forget_null(schema: &mut Value) {
+    match schema {
+        Value::Array(items) => items.iter_mut().for_each(forget_null),
+        Value::Object(keys) => {
+            if let Some(Value::Array(types)) = keys.get("type")
+                && let [only, Value::String(null)] = types.as_slice()
+                && null == "null"
+            {
+                let only = only.clone();
+                keys.insert("type".into(), only);
+            }
+            if let Some(Value::Array(alternatives)) = keys.get("anyOf")
+                && let [only, null] = alternatives.as_slice()
+                && *null == json!({ "type": "null" })
+                && let Some(reference) = only.get("$ref").cloned()
+            {
+                keys.shift_remove("anyOf");
+                keys.insert("$ref".into(), reference);
+            }
+            keys.values_mut().for_each(forget_null);
+        }
+        _ => {}
+    }
+}

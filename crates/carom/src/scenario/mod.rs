@@ -1,0 +1,23 @@
+//! The text format of scenarios, and its checking.
+
+mod check;
+mod json;
+mod json_schema;
+mod layout;
+mod nearest;
+mod parse;
+mod path;
+mod problem;
+pub mod schema;
+mod start;
+mod structure;
+mod system;
+mod values;
+
+pub use json_schema::json_schema;
+pub use layout::Number;
+pub use path::Key;
+pub use problem::{Problem, ScenarioError};
+pub use schema::Scenario;
+pub use start::BallStart;
+pub use system::System;

@@ -1,0 +1,108 @@
+//! The keys of a scenario file: the one definition, from which the JSON Schema is made too.
+//!
+//! A number's range stands in its `schemars` attribute, so that an editor, the page and the structure check read the
+//! same one. Any consistent units will do; "length" in a description means the scenario's own unit of length.
+
+mod balls;
+mod color;
+mod method;
+mod physics;
+mod table;
+
+pub use balls::{Ball, BallDefaults};
+pub use color::{COLOR_NAMES, Color};
+pub use method::{AfterHit, LastStep, Method, NormalTaken};
+pub use physics::{BallBall, BallCushion, Cluster, Collapse, Flight, Physics};
+pub use table::{ArcShape, CircleShape, Obstacle, Piece, Table};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The newest scenario format that this engine reads, and the one it writes.
+pub const FORMAT: u32 = 1;
+
+/// A carom scenario: everything a run needs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Scenario {
+    /// The version of the scenario format; absent means 1, the only one so far.
+    #[serde(default = "first_format")]
+    #[schemars(range(min = 1))]
+    pub format: u32,
+    /// A short title, for headings and lists.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// What the scenario shows and what to look at.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub description: Option<String>,
+    /// How long to run, in time; zero or positive. With neither this nor `collisions` the run goes on until everything
+    /// rests, which is an error where nothing can come to rest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0.0))]
+    pub duration: Option<f64>,
+    /// End after this many collisions of balls with balls and cushions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(max = 9_223_372_036_854_775_807_u64))]
+    pub collisions: Option<u64>,
+    /// End after this many events of any kind. Absent: 10 000 000, or no such end where `collisions` is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1, max = 9_223_372_036_854_775_807_u64))]
+    pub max_events: Option<u64>,
+    /// What a run keeps; absent: all.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub record: Record,
+    /// The region the balls move in.
+    pub table: Table,
+    /// The laws of motion and of collision; absent: free flight and elastic collisions.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub physics: Physics,
+    /// How the run is computed; absent: exactly.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub method: Method,
+    /// What balls have that do not say it themselves.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub ball_defaults: BallDefaults,
+    /// The balls; at least one.
+    #[schemars(length(min = 1))]
+    pub balls: Vec<Ball>,
+    /// Names of the units, for labels of axes and columns and nothing else.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub units: Units,
+}
+
+/// What a run keeps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Record {
+    /// Events and flights, so that the state at any time can be asked for.
+    #[default]
+    All,
+    /// Events only.
+    Events,
+    /// Neither: the final state and the diagnostics only.
+    None,
+}
+
+/// Names of the units, such as "m", "s" and "kg".
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Units {
+    /// The unit of length.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub length: Option<String>,
+    /// The unit of time.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time: Option<String>,
+    /// The unit of mass.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass: Option<String>,
+}
+
+fn first_format() -> u32 {
+    1
+}
+
+/// Whether a value is its type's default, and so need not be written.
+pub(crate) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}

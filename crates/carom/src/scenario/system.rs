@@ -1,0 +1,221 @@
+//! A checked scenario made ready to compute.
+
+use super::layout::Number;
+use super::path::Key;
+use super::schema::{self, Cluster, Collapse, Scenario};
+use super::start::BallStart;
+use crate::flight::Flight;
+use crate::geometry::Vec2;
+use crate::law::{ball_ball, ball_cushion};
+use crate::model::{ContactTolerance, Disc, Face, Faces, Line, Table};
+use crate::scalar::Scalar;
+
+/// Everything the engine needs, with every number in `S` and every name turned into an index.
+///
+/// Cushions are numbered as the table has them, corners after them.
+#[derive(Clone, Debug)]
+pub struct System<S> {
+    /// The balls.
+    pub discs: Vec<Disc<S>>,
+    /// Their flights at time zero.
+    pub flights: Vec<Flight<S>>,
+    /// The faces of cushions and corners.
+    pub faces: Faces<S>,
+    /// The law of each.
+    pub cushion_laws: Vec<ball_cushion::Restitution<S>>,
+    /// For each, the face on the other side of a thin wall.
+    pub backs: Vec<Option<u32>>,
+    /// Whether any has one.
+    pub has_backs: bool,
+    /// The constant acceleration of every ball that is not held.
+    pub field: Vec2<S>,
+    /// The law between balls.
+    pub ball_ball: ball_ball::Restitution<S>,
+    /// The law of several contacts at one instant.
+    pub cluster: Cluster,
+    /// For each ball the time t_c within which contacts count as following each other too fast.
+    pub collapse_times: Vec<S>,
+    /// Whether such contacts are without loss (the TC model of Luding and McNamara); else the run ends.
+    pub collapse_is_elastic: bool,
+    /// The contact tolerance δ.
+    pub tolerance: ContactTolerance<S>,
+    /// When to end, if by time.
+    pub duration: Option<S>,
+    /// The balls' names.
+    pub ball_ids: Vec<String>,
+    /// The names of cushions and corners.
+    pub cushion_ids: Vec<String>,
+}
+
+impl<S: Scalar> System<S> {
+    /// The system of a checked scenario.
+    pub fn new(scenario: &Scenario) -> Self {
+        Self::with(scenario, &mut |_, value| S::from_f64(value))
+    }
+
+    /// The system of a checked scenario, each of whose numbers enters through `number` with its place.
+    ///
+    /// So the derivative of a run with respect to one number is had by making that one a variable:
+    ///
+    /// ```
+    /// # use carom::scalar::{Dual, Scalar};
+    /// # use carom::scenario::{Scenario, System};
+    /// # let text = "duration = 1\n[table]\nshape = 'circle'\nradius = 1\n[[balls]]\nid = 'a'\nradius = 0.1\nposition = [0, 0]\nvelocity = [0.5, 0]";
+    /// # let scenario = Scenario::from_toml(text).map_err(|e| e.to_string())?;
+    /// let system = System::<Dual<1>>::with(&scenario, &mut |place, value| {
+    ///     if place.to_string() == "balls[0].velocity[0]" { Dual::variable(value, 0) } else { Dual::from_f64(value) }
+    /// });
+    /// # assert_eq!(system.flights[0].velocity.x.derivatives, [1.0]);
+    /// # Ok::<(), String>(())
+    /// ```
+    pub fn with(scenario: &Scenario, number: Number<'_, S>) -> Self {
+        let table = scenario.table.layout(number);
+        let laws = CushionLaws::new(&scenario.physics, number);
+        let corner_law = |corner: &crate::model::Corner<S>, cushions: &[ball_cushion::Restitution<S>]| {
+            laws.own(&corner.id).unwrap_or(cushions[corner.cushions[0]])
+        };
+        let mut cushion_laws: Vec<_> = table.cushions().map(|c| laws.of(&c.id)).collect();
+        cushion_laws.extend(table.corners.iter().map(|c| corner_law(c, &cushion_laws)).collect::<Vec<_>>());
+        let faces = faces(&table);
+        let tolerance = ContactTolerance::new(table.size());
+        let backs = backs(&faces, tolerance.of(S::ZERO));
+        let field = field(&scenario.physics.flight, number);
+        let starts: Vec<_> = (scenario.balls.iter().enumerate())
+            .map(|(k, ball)| ball.start(k, &scenario.ball_defaults, number))
+            .collect();
+        let discs: Vec<_> = starts.iter().map(|start| Disc::new(start.radius, start.mass)).collect();
+        let flights: Vec<_> = starts.iter().map(|start| flight(start, field)).collect();
+        Self {
+            collapse_times: collapse_times(&discs, &flights, field, table.size()),
+            collapse_is_elastic: scenario.physics.collapse == Collapse::Tc,
+            has_backs: backs.iter().any(Option::is_some),
+            ball_ball: ball_ball_law(&scenario.physics.ball_ball, number),
+            cluster: scenario.physics.cluster,
+            duration: scenario.duration.map(|value| number(&"duration", value)),
+            ball_ids: scenario.balls.iter().map(|ball| ball.id.clone()).collect(),
+            cushion_ids: cushion_ids(&table),
+            discs,
+            flights,
+            faces: Faces::new(faces),
+            cushion_laws,
+            backs,
+            field,
+            tolerance,
+        }
+    }
+}
+
+fn flight<S: Scalar>(start: &BallStart<S>, field: Vec2<S>) -> Flight<S> {
+    Flight { start: S::ZERO, position: start.position, velocity: start.velocity, acceleration: field }
+}
+
+/// The laws of cushions: each cushion's own, or the one for all.
+struct CushionLaws<S> {
+    for_all: ball_cushion::Restitution<S>,
+    own: Vec<(String, ball_cushion::Restitution<S>)>,
+}
+
+impl<S: Scalar> CushionLaws<S> {
+    fn new(physics: &schema::Physics, number: Number<'_, S>) -> Self {
+        let own = |(id, law): (&String, &schema::BallCushion)| {
+            (id.clone(), cushion_law(&format!("physics.cushions.{}", Key(id)), law, number))
+        };
+        Self {
+            own: physics.cushions.iter().map(own).collect(),
+            for_all: cushion_law("physics.ball_cushion", &physics.ball_cushion, number),
+        }
+    }
+
+    fn own(&self, id: &str) -> Option<ball_cushion::Restitution<S>> {
+        self.own.iter().find(|(own, _)| own == id).map(|(_, law)| *law)
+    }
+
+    fn of(&self, id: &str) -> ball_cushion::Restitution<S> {
+        self.own(id).unwrap_or(self.for_all)
+    }
+}
+
+fn cushion_law<S: Scalar>(
+    place: &str,
+    law: &schema::BallCushion,
+    number: Number<'_, S>,
+) -> ball_cushion::Restitution<S> {
+    match law {
+        schema::BallCushion::Elastic => ball_cushion::Restitution::ELASTIC,
+        schema::BallCushion::Restitution { normal, tangential } => ball_cushion::Restitution {
+            normal: number(&format_args!("{place}.normal"), *normal),
+            tangential: number(&format_args!("{place}.tangential"), *tangential),
+        },
+        schema::BallCushion::Damping { factor } => {
+            let factor = number(&format_args!("{place}.factor"), *factor);
+            ball_cushion::Restitution { normal: factor, tangential: factor }
+        }
+    }
+}
+
+fn ball_ball_law<S: Scalar>(law: &schema::BallBall, number: Number<'_, S>) -> ball_ball::Restitution<S> {
+    match law {
+        schema::BallBall::Elastic => ball_ball::Restitution::ELASTIC,
+        schema::BallBall::Restitution { normal } => {
+            ball_ball::Restitution { normal: number(&"physics.ball_ball.normal", *normal) }
+        }
+    }
+}
+
+fn field<S: Scalar>(flight: &schema::Flight, number: Number<'_, S>) -> Vec2<S> {
+    match flight {
+        schema::Flight::Free => Vec2::ZERO,
+        schema::Flight::Field { acceleration: [x, y] } => {
+            let x = number(&"physics.flight.acceleration[0]", *x);
+            Vec2::new(x, number(&"physics.flight.acceleration[1]", *y))
+        }
+    }
+}
+
+fn faces<S: Scalar>(table: &Table<S>) -> Vec<Face<S>> {
+    let corners = table.corners.iter().map(|corner| Face::corner(corner.point));
+    table.cushions().map(|cushion| Face::of_piece(&cushion.piece)).chain(corners).collect()
+}
+
+fn cushion_ids<S: Scalar>(table: &Table<S>) -> Vec<String> {
+    let corners = table.corners.iter().map(|corner| corner.id.clone());
+    table.cushions().map(|cushion| cushion.id.clone()).chain(corners).collect()
+}
+
+/// For each straight face the one that lies on the same line, overlaps it, and faces the other way.
+fn backs<S: Scalar>(faces: &[Face<S>], tolerance: S) -> Vec<Option<u32>> {
+    let back = |face: &Face<S>| {
+        let Face::Line(line) = face else { return None };
+        let is_back =
+            |other: &Face<S>| matches!(other, Face::Line(other) if is_back_of(line, other, tolerance));
+        faces.iter().position(is_back).map(|k| k as u32)
+    };
+    faces.iter().map(back).collect()
+}
+
+fn is_back_of<S: Scalar>(line: &Line<S>, other: &Line<S>, tolerance: S) -> bool {
+    let other_end = other.start + other.along * other.length;
+    let (near, far) = (line.along.dot(other_end - line.start), line.along.dot(other.start - line.start));
+    line.height(other.start).abs() <= tolerance
+        && line.height(other_end).abs() <= tolerance
+        && far > near
+        && far > tolerance
+        && near < line.length - tolerance
+}
+
+/// `1e-3 √(2r/|a|)` in a field, `1e-6 r/v_max` without; for a point, r is a thousandth of the table.
+fn collapse_times<S: Scalar>(discs: &[Disc<S>], flights: &[Flight<S>], field: Vec2<S>, size: S) -> Vec<S> {
+    let fastest =
+        flights.iter().map(|f| f.velocity.norm_squared()).fold(S::ZERO, |a, b| if b > a { b } else { a });
+    let time = |disc: &Disc<S>| {
+        let length = if disc.radius > S::ZERO { disc.radius } else { size * S::from_f64(1e-3) };
+        if field != Vec2::ZERO {
+            (S::from_f64(2.0) * length / field.norm()).sqrt() * S::from_f64(1e-3)
+        } else if fastest > S::ZERO {
+            length / fastest.sqrt() * S::from_f64(1e-6)
+        } else {
+            S::ZERO
+        }
+    };
+    discs.iter().map(time).collect()
+}

@@ -1,0 +1,104 @@
+//! Single values of a scenario, got and set by their paths.
+
+use super::nearest::suggestion;
+use super::path::{Step, parse, path_of, step_into};
+use super::problem::{Findings, Problem, ScenarioError};
+use super::schema::Scenario;
+use super::structure::known_keys;
+use serde_json::{Map, Value};
+
+impl Scenario {
+    /// This scenario with some of its values changed, checked again; null takes a value out.
+    ///
+    /// A known key that is absent may be set. All problems are reported: those of the paths, or else those of the
+    /// changed scenario.
+    ///
+    /// ```
+    /// # use carom::scenario::Scenario;
+    /// # let midterm = include_str!("../../../../scenarios/midterm.toml");
+    /// let scenario = Scenario::from_toml(midterm)?;
+    /// let faster = scenario.with_values(&[("balls.red.velocity[0]", 3.5.into()), ("duration", 10.into())])?;
+    /// assert_eq!(faster.balls[0].velocity, Some([3.5, 4.0]));
+    /// # Ok::<(), carom::scenario::ScenarioError>(())
+    /// ```
+    pub fn with_values<P: AsRef<str>>(&self, values: &[(P, Value)]) -> Result<Self, ScenarioError> {
+        let mut changed = self.to_value()?;
+        let mut findings = Findings::default();
+        for (path, value) in values {
+            let path = path.as_ref();
+            let set = parse(path).and_then(|steps| {
+                set(&mut changed, &steps, value).map_err(|message| Problem::new(path, message))
+            });
+            if let Err(problem) = set {
+                findings.add(problem.place, problem.message);
+            }
+        }
+        findings.into_result()?;
+        Self::from_value(&changed)
+    }
+
+    /// The value at a path.
+    pub fn value(&self, path: &str) -> Result<Value, ScenarioError> {
+        Ok(self.resolve(path)?.1)
+    }
+
+    /// A path in the form that problems and numbers use, with places in lists in place of ids: `balls.red.radius`
+    /// becomes `balls[0].radius`. An error where the scenario has no value there.
+    pub fn place(&self, path: &str) -> Result<String, ScenarioError> {
+        Ok(path_of(&self.resolve(path)?.0))
+    }
+
+    fn resolve(&self, path: &str) -> Result<(Vec<Step>, Value), ScenarioError> {
+        let whole = self.to_value()?;
+        let steps = parse(path)?;
+        let mut value = &whole;
+        let mut taken = Vec::new();
+        for step in &steps {
+            let Some((step, inner)) = step_into(value, step) else {
+                let message = why_not(value, step, &known_keys(&whole, &taken));
+                return Err(Problem::new(path, message).into());
+            };
+            taken.push(step);
+            value = inner;
+        }
+        Ok((taken, value.clone()))
+    }
+}
+
+/// Puts a value at the end of a path; sets of keys on the way are made where they are absent.
+fn set(target: &mut Value, steps: &[Step], value: &Value) -> Result<(), String> {
+    let Some((step, rest)) = steps.split_first() else {
+        *target = value.clone();
+        return Ok(());
+    };
+    if let (Value::Object(keys), Step::Key(key)) = (&mut *target, step) {
+        if let Some(Step::Index(_)) = rest.first()
+            && !keys.contains_key(key)
+        {
+            return Err(format!("{key} is not set: give the whole list"));
+        }
+        let inner = keys.entry(key.clone()).or_insert_with(|| Value::Object(Map::new()));
+        return set(inner, rest, value);
+    }
+    let Some((Step::Index(index), _)) = step_into(target, step) else {
+        return Err(why_not(target, step, &[]));
+    };
+    set(&mut target[index], rest, value)
+}
+
+/// Why a step leads nowhere.
+fn why_not(value: &Value, step: &Step, known: &[&str]) -> String {
+    match (value, step) {
+        (Value::Object(_), Step::Key(key)) if known.contains(&key.as_str()) => format!("{key} is not set"),
+        (Value::Object(_), Step::Key(key)) => format!("unknown key {key}{}", suggestion(key, known)),
+        (Value::Object(_), Step::Index(index)) => format!("[{index}] is for lists, and here are keys"),
+        (Value::Array(items), Step::Index(index)) => {
+            format!("there is no [{index}]: the list has {} members, counted from 0", items.len())
+        }
+        (Value::Array(items), Step::Key(id)) => {
+            let ids: Vec<&str> = items.iter().filter_map(|item| item.get("id")?.as_str()).collect();
+            format!("no member of the list has the id {id:?}{}", suggestion(id, &ids))
+        }
+        (other, _) => format!("{other} has no parts"),
+    }
+}

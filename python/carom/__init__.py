@@ -1,0 +1,93 @@
+"""How balls move on a table: exact, fast, and the same everywhere.
+
+>>> import carom
+>>> run = carom.load("midterm").run()
+>>> run.status
+'time_limit'
+
+Importing the package loads nothing else; each name below is loaded when it is first used.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from carom._engine import PHYSICS_VERSION, __version__, schema
+    from carom.ball import Ball
+    from carom.columns import ColumnTable
+    from carom.errors import CaromError, MissingExtraError, RunError, ScenarioError, SimulationError
+    from carom.events import Event, EventTable
+    from carom.library import scenarios
+    from carom.method import Exact, Stepped
+    from carom.physics import Damping, Elastic, Field, Free, Physics, Restitution
+    from carom.run import Run, Verification, load_run
+    from carom.scenario import Scenario, load
+    from carom.simulation import Candidate, Simulation
+    from carom.table import Arc, Circle, Line, Path, Table, Wall
+
+_HOMES = {
+    "_engine": ["PHYSICS_VERSION", "__version__", "schema"],
+    "ball": ["Ball"],
+    "columns": ["ColumnTable"],
+    "errors": ["CaromError", "MissingExtraError", "RunError", "ScenarioError", "SimulationError"],
+    "events": ["Event", "EventTable"],
+    "library": ["scenarios"],
+    "method": ["Exact", "Stepped"],
+    "physics": ["Damping", "Elastic", "Field", "Free", "Physics", "Restitution"],
+    "run": ["Run", "Verification", "load_run"],
+    "scenario": ["Scenario", "load"],
+    "simulation": ["Candidate", "Simulation"],
+    "table": ["Arc", "Circle", "Line", "Path", "Table", "Wall"],
+}
+_HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
+
+__all__ = [
+    "PHYSICS_VERSION",
+    "Arc",
+    "Ball",
+    "Candidate",
+    "CaromError",
+    "Circle",
+    "ColumnTable",
+    "Damping",
+    "Elastic",
+    "Event",
+    "EventTable",
+    "Exact",
+    "Field",
+    "Free",
+    "Line",
+    "MissingExtraError",
+    "Path",
+    "Physics",
+    "Restitution",
+    "Run",
+    "RunError",
+    "Scenario",
+    "ScenarioError",
+    "Simulation",
+    "SimulationError",
+    "Stepped",
+    "Table",
+    "Verification",
+    "Wall",
+    "__version__",
+    "load",
+    "load_run",
+    "scenarios",
+    "schema",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME_OF:
+        raise AttributeError(f"module 'carom' has no attribute {name!r}")
+    value = getattr(import_module(f"carom.{_HOME_OF[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -1,0 +1,319 @@
+"""Films of runs: GIF with Pillow, MP4 with the ffmpeg that carom[movie] brings.
+
+The table is drawn once; on a copy of it every frame gets its trails, its discs and its time, at a multiple of
+the size, and is reduced: that is what makes the edges smooth.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from carom.extras import needed
+from carom.files import replacing
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+    from PIL.Image import Image
+    from PIL.ImageFont import FreeTypeFont
+
+    from carom.figures.scene import Scene
+    from carom.run import Run
+
+FORMATS = (".gif", ".mp4")
+OVERSAMPLING = 2
+CAPTION = 26
+FADES = 24
+SAMPLES_PER_FRAME = 3
+MOST_TRAILS = 64
+SHORTEST_DELAY = 2  # hundredths of a second; viewers slow a GIF down below it
+
+
+def animate(
+    run: Run,
+    path: str | os.PathLike[str],
+    *,
+    fps: float = 30.0,
+    speed: float = 1.0,
+    size: int = 640,
+    trail: float | None = None,
+    progress: bool | None = None,
+) -> Path:
+    """Write a film of a run; its suffix chooses GIF or MP4.
+
+    A GIF can show a frame only for whole hundredths of a second: each frame shows the run at the moment that
+    it appears, so that the film as a whole is neither faster nor slower than asked.
+
+    Parameters
+    ----------
+    run : Run
+        The run to film, from time 0 to its end.
+    path : str or path-like
+        The file to write, ``.gif`` or ``.mp4``.
+    fps : float
+        Frames per second of the film, at most 50 in a GIF.
+    speed : float
+        How much time of the run passes in a second of the film.
+    size : int
+        Length of the film's longer side, in pixels.
+    trail : float, optional
+        For how long a ball's path stays to be seen, in time of the run. If not given: half a second of the
+        film, and none where there are more than 64 balls.
+    progress : bool, optional
+        Show a progress bar on stderr. If not given: where stderr is a terminal.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    ValueError
+        If the suffix is neither of the two, or a number is out of its range.
+    MissingExtraError
+        If an MP4 is asked for without carom[movie].
+    """
+    target = Path(path)
+    suffix = target.suffix.lower()
+    if suffix not in FORMATS:
+        raise ValueError(f"{target}: a film ends in {' or '.join(FORMATS)}")
+    _check_range("fps", fps, 100.0 / SHORTEST_DELAY if suffix == ".gif" else 1000.0)
+    _check_range("speed", speed, np.inf)
+    _check_range("size", size, 10_000)
+    ffmpeg = needed("imageio_ffmpeg", "movie") if suffix == ".mp4" else None
+    delays = gif_delays(run.end_time / speed, fps) if ffmpeg is None else None
+    times = speed * (film_times(run.end_time / speed, fps) if delays is None else _starts(delays) / 100.0)
+    film = _Film.of(run, np.minimum(times, run.end_time), size, 0.5 * speed if trail is None else trail)
+    with replacing(target) as temporary, _counting(film.frames(), len(times), progress) as frames:
+        if delays is None:
+            _write_mp4(ffmpeg, temporary, frames, film.size, fps)
+        else:
+            _write_gif(temporary, frames, delays, film.palette())
+    return target
+
+
+def gif_delays(duration: float, fps: float) -> NDArray[np.int64]:
+    """Give for how long each frame of a GIF is shown, in hundredths of a second; their sum is `duration`.
+
+    Examples
+    --------
+    >>> gif_delays(0.2, 30)
+    array([3, 4, 3, 3, 4, 3])
+    """
+    total = max(round(100.0 * duration), SHORTEST_DELAY)
+    count = max(1, int(np.ceil(total * fps / 100.0)))
+    starts = np.floor(100.0 * np.arange(count) / fps + 0.5).astype(np.int64)
+    starts = starts[starts <= total - SHORTEST_DELAY]
+    return np.diff(np.append(starts, total))
+
+
+def film_times(duration: float, fps: float) -> NDArray[np.float64]:
+    """Give the times of a film's frames, evenly spaced from 0."""
+    return np.arange(max(1, round(duration * fps))) / fps
+
+
+def _starts(delays: NDArray[np.int64]) -> NDArray[np.int64]:
+    return np.cumsum(delays) - delays
+
+
+def _check_range(name: str, value: float, most: float) -> None:
+    if not 0 < value <= most:
+        raise ValueError(f"{name}: must be above 0 and at most {most:g}, got {value!r}")
+
+
+@dataclass(frozen=True)
+class _Film:
+    """All that its frames need, in pixels of the enlarged picture.
+
+    Attributes
+    ----------
+    background : Image
+        The table.
+    discs : (n_frames, n_balls, 2) float64
+        Centres.
+    radii : (n_balls,) float64
+        Radii.
+    trails : (n_samples, n_balls, 2) float64
+        Places along the paths, at the ascending `trail_times`; no rows where none are drawn.
+    """
+
+    background: Image
+    scene: Scene
+    times: NDArray[np.float64]
+    discs: NDArray[np.float64]
+    radii: NDArray[np.float64]
+    trails: NDArray[np.float64]
+    trail_times: NDArray[np.float64]
+    trail: float
+    font: FreeTypeFont
+    digits: int
+
+    @classmethod
+    def of(cls, run: Run, times: NDArray[np.float64], size: int, trail: float) -> _Film:
+        """Prepare the film of a run: one evaluation of the run, one drawing of the table."""
+        from PIL import ImageFont
+
+        from carom.figures.scene import Scene
+        from carom.figures.style import font_file
+
+        scene = Scene.of(run.scenario)
+        background, to_pixels = _draw_background(scene, size)
+        fine = _trail_times(run, times) if trail > 0 and len(scene.ids) <= MOST_TRAILS else np.empty(0)
+        origin = to_pixels(np.zeros((1, 2)))
+        point = 0.009 * scene.size
+        reach = np.stack([np.where(scene.radii > 0, scene.radii, point), np.zeros(len(scene.ids))], axis=-1)
+        step = float(times[1] - times[0]) if len(times) > 1 else 0.1
+        return cls(
+            background=background,
+            scene=scene,
+            times=times,
+            discs=to_pixels(run.positions(times)[..., :2]),
+            radii=(to_pixels(reach) - origin)[:, 0],
+            trails=to_pixels(run.positions(fine)[..., :2]),
+            trail_times=fine,
+            trail=trail,
+            font=ImageFont.truetype(font_file(), 13 * OVERSAMPLING),
+            digits=int(np.clip(np.ceil(-np.log10(step)), 0, 9)),
+        )
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height of a frame in pixels."""
+        width, height = self.background.size
+        return width // OVERSAMPLING, height // OVERSAMPLING
+
+    def frames(self) -> Iterator[Image]:
+        """Draw the frames, one after the other."""
+        return (self.frame(index) for index in range(len(self.times)))
+
+    def frame(self, index: int) -> Image:
+        """Draw one frame."""
+        from PIL import ImageDraw
+
+        picture = self.background.copy()
+        draw = ImageDraw.Draw(picture)
+        self._draw_trails(draw, float(self.times[index]))
+        for place, radius, colour in zip(self.discs[index], self.radii, self.scene.colours, strict=True):
+            if np.isfinite(place[0]):
+                x, y = place.tolist()
+                box = (x - radius, y - radius, x + radius, y + radius)
+                draw.ellipse(box, fill=colour, outline="#1d2327", width=OVERSAMPLING)
+        unit = self.scene.unit("time")
+        words = f"t = {self.times[index]:.{self.digits}f}" + (f" {unit}" if unit else "")
+        draw.text((12 * OVERSAMPLING, 5 * OVERSAMPLING), words, font=self.font, fill="#22292f")
+        return picture.reduce(OVERSAMPLING)
+
+    def _draw_trails(self, draw: Any, time: float) -> None:
+        """Draw the last part of every path, the older the closer to the colour of the cloth."""
+        first, last = np.searchsorted(self.trail_times, [time - self.trail, time], side="right")
+        if last - first < 2:
+            return
+        age = (time - self.trail_times[first : last - 1]) / self.trail
+        shades = np.clip((FADES * age).astype(int), 0, FADES - 1)
+        for ball, colours in enumerate(_faded(self.scene.colours)):
+            places = self.trails[first:last, ball]
+            for shade in np.unique(shades[np.any(np.diff(places, axis=0) != 0, axis=1)])[::-1]:
+                part = np.flatnonzero(shades == shade)
+                points = places[part[0] : part[-1] + 2]
+                draw.line(points.ravel().tolist(), fill=colours[shade], width=2 * OVERSAMPLING, joint="curve")
+
+    def palette(self) -> Image:
+        """Choose the colours of a GIF from a few frames that are spread over the film."""
+        from PIL import Image
+
+        width, height = self.size
+        chosen = np.unique(np.linspace(0, len(self.times) - 1, 6).astype(int)).tolist()
+        sheet = Image.new("RGB", (width * len(chosen), height))
+        for column, index in enumerate(chosen):
+            sheet.paste(self.frame(index), (column * width, 0))
+        return sheet.quantize(255, method=Image.Quantize.MEDIANCUT)
+
+
+def _draw_background(scene: Scene, size: int) -> tuple[Image, Any]:
+    """Draw the table on an enlarged picture, and give the function from places (..., 2) to its pixels."""
+    from PIL import Image
+
+    from carom.figures.style import new_figure
+    from carom.figures.table import draw_table, framed_ratio
+
+    ratio = framed_ratio(scene)
+    across = min(size, (size - CAPTION) / ratio)
+    width, height = (2 * round(extent / 2) for extent in (across, across * ratio + CAPTION))
+    figure = new_figure(width / 100, height / 100)
+    figure.set_dpi(100 * OVERSAMPLING)
+    ax = figure.add_axes((0, 0, 1, 1 - CAPTION / height))
+    draw_table(ax, scene)
+    ax.set_axis_off()
+    figure.canvas.draw()
+    picture = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3])  # type: ignore[attr-defined]
+    transform, rows = ax.transData, picture.height
+
+    def to_pixels(places: NDArray[np.float64]) -> NDArray[np.float64]:
+        pixels = transform.transform(places.reshape(-1, 2)).reshape(places.shape)
+        pixels[..., 1] = rows - pixels[..., 1]
+        return pixels
+
+    return picture, to_pixels
+
+
+def _trail_times(run: Run, times: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Give the frames' times, some between them, and the events' times."""
+    fine = np.interp(np.arange(0, len(times) - 1 + 1e-9, 1 / SAMPLES_PER_FRAME), np.arange(len(times)), times)
+    events = np.asarray(run.events["time"], dtype=float)
+    return np.unique(np.concatenate([times, fine, events if len(events) < 20 * len(times) else []]))
+
+
+def _faded(colours: Sequence[str]) -> list[list[tuple[int, int, int]]]:
+    """Give for every ball the colours of its trail, from fresh to nearly gone."""
+    from matplotlib.colors import to_rgb
+
+    from carom.figures.style import CLOTH, line_colour
+
+    cloth = np.array(to_rgb(CLOTH))
+    share = 0.7 * (1.0 - (np.arange(FADES) + 0.5) / FADES)[:, None]
+    blends = [share * np.array(line_colour(colour)) + (1.0 - share) * cloth for colour in colours]
+    return [[(r, g, b) for r, g, b in np.rint(255 * blend).astype(int).tolist()] for blend in blends]
+
+
+def _write_gif(path: Path, frames: Iterable[Image], delays: NDArray[np.int64], palette: Image) -> None:
+    from PIL import Image
+
+    pictures = (frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames)
+    first = next(pictures)
+    durations = [10 * delay for delay in delays.tolist()]
+    first.save(path, format="GIF", save_all=True, append_images=pictures, duration=durations, loop=0)
+
+
+def _write_mp4(ffmpeg: Any, path: Path, frames: Iterable[Image], size: tuple[int, int], fps: float) -> None:
+    options = ["-crf", "18", "-preset", "medium", "-movflags", "+faststart"]
+    writer = ffmpeg.write_frames(
+        str(path), size, fps=fps, codec="libx264", quality=None, macro_block_size=2, output_params=options
+    )
+    try:
+        writer.send(None)
+        for frame in frames:
+            writer.send(frame.tobytes())
+    finally:
+        writer.close()
+
+
+@contextmanager
+def _counting(frames: Iterable[Image], total: int, progress: bool | None) -> Iterator[Iterable[Image]]:
+    """Pass the frames on, with a progress bar where it is wanted."""
+    if not (sys.stderr.isatty() if progress is None else progress):
+        yield frames
+        return
+    from rich.console import Console
+    from rich.progress import Progress
+
+    console = Console(stderr=True, force_terminal=progress)
+    with Progress(console=console, transient=True) as bar:
+        yield bar.track(frames, total=total, description="film")

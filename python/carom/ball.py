@@ -1,0 +1,46 @@
+"""Balls, as a scenario describes them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import KW_ONLY, dataclass
+
+from carom.section import Section
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Ball(Section):
+    """A ball and how it starts.
+
+    Parameters
+    ----------
+    id : str
+        The name of this ball, unlike that of any other.
+    position : (2,) sequence of float
+        Centre (x, y) at time 0, in length.
+    velocity : (2,) sequence of float, optional
+        Velocity (x, y) at time 0, in length per time; absent: at rest, unless `speed` is given.
+    speed, direction_deg : float, optional
+        Speed and direction (degrees from the x axis towards the y axis), together, in place of `velocity`.
+    radius : float, optional
+        In length; zero is a point; absent: that of ``ball_defaults``.
+    mass : float, optional
+        Absent: that of ``ball_defaults``, or 1.
+    color : str or (3,) sequence of float, optional
+        A CSS colour name, ``#rrggbb``, or red, green and blue from 0 to 1.
+
+    Examples
+    --------
+    >>> Ball("red", radius=0.075, position=(0.1, 0.1), velocity=(3, 4))
+    Ball(id='red', position=(0.1, 0.1), velocity=(3, 4), radius=0.075)
+    """
+
+    id: str
+    _: KW_ONLY
+    position: Sequence[float]
+    velocity: Sequence[float] | None = None
+    speed: float | None = None
+    direction_deg: float | None = None
+    radius: float | None = None
+    mass: float | None = None
+    color: str | Sequence[float] | None = None

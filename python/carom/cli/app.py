@@ -1,0 +1,63 @@
+"""The commands put together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Annotated
+
+import typer
+
+from carom.cli.bench import bench
+from carom.cli.check import check, verify
+from carom.cli.compare import compare
+from carom.cli.run import run
+from carom.cli.scenarios import scenarios, schema
+
+app = typer.Typer(
+    help="How balls move on a table: exact, fast, and the same everywhere.",
+    epilog="Start with: carom run midterm",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        import carom
+
+        typer.echo(f"carom {carom.__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    pass
+
+
+EXAMPLES: dict[Callable[..., None], list[str]] = {
+    run: [
+        "carom run midterm",
+        "carom run midterm --method stepped --dt 0.03 --out out/stepped",
+        "carom run my.toml --set balls.red.velocity[0]=3.1 --duration 10 --format pdf --out out/mine",
+    ],
+    compare: [
+        "carom compare midterm",
+        "carom compare midterm --dt 0.03,0.01,0.003 --duration 1 --out out/compare",
+    ],
+    check: ["carom check my.toml"],
+    verify: ["carom verify out/mine/run.json"],
+    scenarios: ["carom scenarios", "carom scenarios --copy midterm my.toml"],
+    schema: ["carom schema > carom.schema.json"],
+    bench: ["carom bench", "carom bench midterm --repeats 21"],
+}
+
+for command, examples in EXAMPLES.items():
+    # The mark \b keeps the line ends of a paragraph.
+    app.command(epilog="\n".join(["\b", "For example:", *(f"  {example}" for example in examples)]))(command)

@@ -1,0 +1,65 @@
+"""What several commands are given, and how it is read."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+if TYPE_CHECKING:
+    from carom.scenario import Scenario
+
+SCENARIO = "A ready-made scenario's name (see: carom scenarios), or a .toml or .json file."
+
+ScenarioName = Annotated[str, typer.Argument(metavar="SCENARIO", help=SCENARIO, show_default=False)]
+Duration = Annotated[float | None, typer.Option(metavar="T", min=0.0, help="End at this time.")]
+MaxEvents = Annotated[int | None, typer.Option(metavar="N", min=0, help="End after N events of any kind.")]
+Settings = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set", metavar="PATH=VALUE", help="Change a value, e.g. balls.red.velocity[0]=3.1. Repeatable."
+    ),
+]
+Out = Annotated[Path | None, typer.Option(metavar="DIR", help="Write the results into this folder.")]
+Overwrite = Annotated[bool, typer.Option("--overwrite", help="Replace results that DIR already holds.")]
+Formats = Annotated[
+    str, typer.Option("--format", metavar="LIST", help="Figures as png, svg, pdf; comma separated.")
+]
+Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+
+
+def load_with(source: str, settings: list[str] | None) -> Scenario:
+    """Load a scenario and change the values that ``--set`` names."""
+    import carom
+
+    scenario = carom.load(source)
+    return scenario.with_values(dict(map(read_setting, settings))) if settings else scenario
+
+
+def read_setting(setting: str) -> tuple[str, Any]:
+    """Read ``PATH=VALUE``; the value is JSON, or else a word.
+
+    Examples
+    --------
+    >>> read_setting("duration=10"), read_setting("table.shape=circle")
+    (('duration', 10), ('table.shape', 'circle'))
+    """
+    path, equals, value = setting.partition("=")
+    if not equals or not path:
+        raise typer.BadParameter(f"{setting!r} is not PATH=VALUE", param_hint="--set")
+    try:
+        return path, json.loads(value)
+    except json.JSONDecodeError:
+        return path, value
+
+
+def read_formats(formats: str) -> list[str]:
+    """Read a list such as ``png,pdf``."""
+    known = ("png", "svg", "pdf")
+    chosen = [word.strip().lower() for word in formats.split(",")]
+    for word in chosen:
+        if word not in known:
+            raise typer.BadParameter(f"{word!r} is none of {', '.join(known)}", param_hint="--format")
+    return chosen

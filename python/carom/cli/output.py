@@ -1,0 +1,102 @@
+"""What commands print: tables, JSON, and errors as ``error: place: message``."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+import typer
+
+from carom.errors import CaromError, ScenarioError
+
+INTERRUPTED = 130
+PROBLEM = 1
+
+
+@contextmanager
+def reporting() -> Iterator[None]:
+    """Turn what can go wrong in a command into lines on stderr and an exit code; also a decorator."""
+    try:
+        yield
+    except ScenarioError as error:
+        for place, message in error.problems:
+            say_error(place, message)
+        raise typer.Exit(PROBLEM) from None
+    except CaromError as error:
+        say_error("", str(error))
+        raise typer.Exit(PROBLEM) from None
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        say_error(str(error.filename or ""), error.strerror or str(error))
+        raise typer.Exit(PROBLEM) from None
+    except KeyboardInterrupt:
+        raise typer.Exit(say_interrupted()) from None
+
+
+def say_error(place: str, message: str) -> None:
+    """Print one problem on stderr."""
+    print(": ".join(filter(None, ("error", place, message))), file=sys.stderr)
+
+
+def say_interrupted() -> int:
+    """Say on stderr that the command was interrupted, and give the exit code for it."""
+    print("interrupted: nothing was written", file=sys.stderr)
+    return INTERRUPTED
+
+
+def print_json(value: Any) -> None:
+    """Print a value as JSON; a number that is not finite becomes null."""
+    print(json.dumps(_finite(value), indent=2, ensure_ascii=False))
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {key: _finite(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(item) for item in value]
+    return None if isinstance(value, float) and value - value != 0.0 else value
+
+
+def print_table(columns: Mapping[str, Sequence[Any]], *, title: str = "", most: int | None = None) -> None:
+    """Print columns: on a terminal as a table of at most so many rows, else complete and tab separated."""
+    rows = list(zip(*columns.values(), strict=True))
+    if not sys.stdout.isatty():
+        for row in [tuple(columns), *rows]:
+            print("\t".join(_exact_text(value) for value in row))
+        return
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    shown = list(zip(*map(_short_texts, columns.values()), strict=True))[:most]
+    table = Table(title=title or None, title_justify="left", box=box.SIMPLE_HEAD, pad_edge=False)
+    for name, values in columns.items():
+        numeric = all(isinstance(value, (int, float)) for value in values)
+        table.add_column(name, justify="right" if numeric else "left")
+    for row in shown:
+        table.add_row(*row)
+    if len(shown) < len(rows):
+        table.caption = f"and {len(rows) - len(shown)} more"
+    Console(highlight=False).print(table)
+
+
+def _exact_text(value: Any) -> str:
+    """Give a value in full: floats so that they read back to the same bits, nothing for what is absent."""
+    return "" if value is None else str(value)
+
+
+def _short_texts(column: Sequence[Any]) -> list[str]:
+    """Give a column to look at: six digits, and zero for what is only round-off beside the column's largest."""
+    floats = [abs(value) for value in column if isinstance(value, float)]
+    least = 1e-12 * max(floats) if len(floats) == len(column) and floats else 0.0
+    return [
+        _short_text(0.0 if isinstance(value, float) and abs(value) < least else value) for value in column
+    ]
+
+
+def _short_text(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else _exact_text(value)

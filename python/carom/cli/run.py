@@ -1,0 +1,194 @@
+"""``carom run``: compute a run, print it, write it."""
+
+from __future__ import annotations
+
+import sys
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from carom.cli import options
+from carom.cli.folder import check_free, filling
+from carom.cli.output import PROBLEM, print_json, print_table, reporting, say_error
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from matplotlib.axes import Axes
+
+    from carom.run import Run
+    from carom.scenario import Scenario
+
+FIGURES = ("filmstrip", "paths", "energy", "speed", "momentum")
+TABLES = ("events.csv", "trajectory.csv", "steps.csv")
+FILM = "animation.gif"
+MARK = "run.json"
+NAMES = (*TABLES, FILM, MARK, *(f"{name}.{kind}" for name in FIGURES for kind in ("png", "svg", "pdf")))
+
+SAMPLES = 500
+LONGEST_FILM = 30.0
+MOST_ROWS = 50
+SHOWN = ("time", "kind", "ball_a", "ball_b", "cushion", "x", "y", "closing_speed")
+
+
+class MethodName(str, Enum):
+    """The words after ``--method``."""
+
+    exact = "exact"
+    stepped = "stepped"
+
+
+@reporting()
+def run(
+    scenario: options.ScenarioName,
+    method: Annotated[MethodName | None, typer.Option(help="How to compute it.", show_default=False)] = None,
+    dt: Annotated[float | None, typer.Option(metavar="H", help="Time step; means --method stepped.")] = None,
+    duration: options.Duration = None,
+    collisions: Annotated[
+        int | None, typer.Option(metavar="N", min=0, help="End after N collisions.")
+    ] = None,
+    max_events: options.MaxEvents = None,
+    settings: options.Settings = None,
+    sample: Annotated[
+        float | None, typer.Option(metavar="H", help="Time between rows of trajectory.csv.  [default: T/500]")
+    ] = None,
+    out: options.Out = None,
+    overwrite: options.Overwrite = False,
+    formats: options.Formats = "png",
+    no_figures: Annotated[bool, typer.Option("--no-figures", help="Write no figures.")] = False,
+    no_animation: Annotated[bool, typer.Option("--no-animation", help="Write no animation.")] = False,
+    as_json: options.Json = False,
+) -> None:
+    """Compute a run; print its events and its diagnostics.
+
+    With --out also write events.csv, trajectory.csv, steps.csv (stepped), run.json, figures (filmstrip,
+    paths, energy, speed, momentum) and animation.gif. Without it nothing is written.
+    """
+    kinds = options.read_formats(formats)
+    if sample is not None and not sample > 0.0:
+        raise typer.BadParameter("must be positive", param_hint="--sample")
+    if out is not None:
+        check_free(out, NAMES, overwrite=overwrite)
+    chosen = options.load_with(scenario, settings)
+    result = chosen.run(
+        method=_method(chosen, method, dt), duration=duration, collisions=collisions, max_events=max_events
+    )
+    written: list[str] = []
+    if out is not None:
+        with filling(out, NAMES, MARK) as folder:
+            written = _write_data(result, folder, sample)
+            written += [] if no_figures else _write_figures(result, folder, kinds)
+            written += [] if no_animation else _write_film(result, folder)
+    _print_json(result, out, written) if as_json else _print_tables(result, out, written)
+    if result.status == "collapsed" or (result.status == "event_limit" and max_events is None):
+        say_error("run", f"ended by {result.status} at t = {result.end_time:g}, before its time")
+        raise typer.Exit(PROBLEM)
+
+
+def _method(scenario: Scenario, name: MethodName | None, dt: float | None) -> dict[str, Any] | None:
+    """Choose the method: None leaves the scenario's own; a stepped one keeps the readings it has there."""
+    if name is MethodName.exact:
+        if dt is not None:
+            raise typer.BadParameter("belongs to --method stepped", param_hint="--dt")
+        return {"kind": "exact"}
+    if name is None and dt is None:
+        return None
+    own = scenario.to_dict().get("method", {})
+    stepped = own if own.get("kind") == "stepped" else {"kind": "stepped"}
+    if dt is None and "dt" not in stepped:
+        raise typer.BadParameter("--method stepped needs it", param_hint="--dt")
+    return stepped if dt is None else {**stepped, "dt": dt}
+
+
+def _write_data(run: Run, folder: Path, sample: float | None) -> list[str]:
+    """Write what the run kept as tables, and the run itself."""
+    record = run.scenario.to_dict().get("record", "all")
+    run.save(folder / MARK)
+    written = [MARK]
+    if record != "none":
+        run.events.to_csv(folder / "events.csv")
+        written.append("events.csv")
+    if record == "all":
+        step = sample or run.end_time / SAMPLES or 1.0
+        run.trajectory(run.sample_times(step)).to_csv(folder / "trajectory.csv")
+        written.append("trajectory.csv")
+    if run.steps is not None:
+        run.steps.to_csv(folder / "steps.csv")
+        written.append("steps.csv")
+    return written
+
+
+def _write_figures(run: Run, folder: Path, kinds: list[str]) -> list[str]:
+    """Write the figures that the run has something for."""
+    if run.scenario.to_dict().get("record", "all") != "all":
+        return []
+    from carom import figures
+
+    drawings: dict[str, Callable[[Run], Axes | Sequence[Axes]]] = {
+        "filmstrip": figures.filmstrip,
+        "paths": figures.plot_paths,
+        "energy": figures.plot_energy,
+        "speed": figures.plot_speed,
+        "momentum": figures.plot_momentum,
+    }
+    written = []
+    for name, draw in drawings.items():
+        if name == "filmstrip" and len(run.events) == 0:
+            continue
+        figure = figures.figure_of(draw(run))
+        for kind in kinds:
+            figures.save_figure(figure, folder / f"{name}.{kind}")
+            written.append(f"{name}.{kind}")
+    return written
+
+
+def _write_film(run: Run, folder: Path) -> list[str]:
+    """Write the film: at true speed, or as much faster as makes it last half a minute."""
+    if run.scenario.to_dict().get("record", "all") != "all" or run.end_time == 0.0:
+        return []
+    from carom.animation import animate
+
+    speed = max(1.0, run.end_time / LONGEST_FILM)
+    animate(run, folder / FILM, speed=speed)
+    if speed > 1.0 and sys.stderr.isatty():
+        print(f"{FILM} runs {speed:.3g} times as fast", file=sys.stderr)
+    return [FILM]
+
+
+def _print_json(run: Run, out: Path | None, written: list[str]) -> None:
+    events = {name: column.tolist() for name, column in run.events.to_dict().items()}
+    final = run.end_time
+    print_json(
+        {
+            "status": run.status,
+            "end_time": final,
+            "digest": run.digest,
+            "physics_version": run.physics_version,
+            "diagnostics": run.diagnostics,
+            "events": [dict(zip(events, row, strict=True)) for row in zip(*events.values(), strict=True)],
+            "out": None if out is None else str(out),
+            "files": written,
+        }
+    )
+
+
+def _print_tables(run: Run, out: Path | None, written: list[str]) -> None:
+    events = {name: run.events[name].tolist() for name in SHOWN}
+    print_table(events, title=run.scenario.title, most=MOST_ROWS)
+    print()
+    facts = {"status": run.status, "end_time": run.end_time, "digest": run.digest} | _flat(run.diagnostics)
+    facts |= {} if out is None else {"out": str(out), "files": " ".join(written)}
+    print_table({"diagnostic": list(facts), "value": list(facts.values())})
+
+
+def _flat(values: dict[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Give nested values under dotted names."""
+    flat: dict[str, Any] = {}
+    for name, value in values.items():
+        if isinstance(value, dict):
+            flat |= _flat(value, f"{prefix}{name}.")
+        elif value is not None:
+            flat[f"{prefix}{name}"] = value
+    return flat

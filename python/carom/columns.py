@@ -1,0 +1,110 @@
+"""Tables of named columns, as every result of a run is one."""
+
+from __future__ import annotations
+
+import csv
+import os
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.extras import needed
+from carom.files import replacing
+
+if TYPE_CHECKING:
+    import pandas
+    import pyarrow
+
+
+class ColumnTable:
+    """Columns of equal length, each a read-only NumPy array, in a fixed order.
+
+    Parameters
+    ----------
+    columns : mapping of str to (n_rows,) array
+        The columns by name.
+
+    Examples
+    --------
+    >>> table = ColumnTable({"time": [0.0, 0.5], "red.x": [0.1, 1.6]})
+    >>> table.names, len(table), float(table["red.x"][1])
+    (['time', 'red.x'], 2, 1.6)
+    """
+
+    def __init__(self, columns: Mapping[str, Any]) -> None:
+        self._columns = {name: _read_only(column) for name, column in columns.items()}
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the columns, in order."""
+        return list(self._columns)
+
+    def column(self, name: str) -> NDArray[Any]:
+        """Give one column, (n_rows,); an unknown name is a KeyError that lists the known ones."""
+        if name not in self._columns:
+            raise KeyError(f"no column {name!r}; the columns are {', '.join(self._columns)}")
+        return self._columns[name]
+
+    def __getitem__(self, name: str) -> Any:
+        return self.column(name)
+
+    def __len__(self) -> int:
+        return len(next(iter(self._columns.values()), ()))
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self) or not isinstance(other, ColumnTable):
+            return NotImplemented
+        return self.names == other.names and all(
+            _same(column, other._columns[name]) for name, column in self._columns.items()
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}: {len(self)} rows of {', '.join(self.names)}"
+
+    def to_dict(self) -> dict[str, NDArray[Any]]:
+        """Give the columns as a new dict; the arrays are shared, not copied."""
+        return dict(self._columns)
+
+    def to_csv(self, path: str | os.PathLike[str]) -> None:
+        """Write the table as CSV.
+
+        Floats carry 17 significant digits, which read back to the same bits; what is absent is empty.
+        """
+        texts = (_texts(column) for column in self._columns.values())
+        with replacing(path) as temporary, temporary.open("w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(self.names)
+            writer.writerows(zip(*texts, strict=True))
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Give the table as a pandas DataFrame; needs carom[data]."""
+        frame: pandas.DataFrame = needed("pandas", "data").DataFrame(self._columns)
+        return frame
+
+    def to_arrow(self) -> pyarrow.Table:
+        """Give the table as a pyarrow Table; needs carom[data]."""
+        return needed("pyarrow", "data").table(self._columns)
+
+
+def _read_only(column: Any) -> NDArray[Any]:
+    view = np.asarray(column).view()
+    view.setflags(write=False)
+    return view
+
+
+def _same(one: NDArray[Any], other: NDArray[Any]) -> bool:
+    floats = one.dtype.kind == "f" and other.dtype.kind == "f"
+    return np.array_equal(one, other, equal_nan=floats)
+
+
+def _texts(column: NDArray[Any]) -> Iterable[str]:
+    texts: dict[str, Callable[[Any], str]] = {"f": "{:.17g}".format, "O": _text_or_empty}
+    return map(texts.get(column.dtype.kind, str), column.tolist())
+
+
+def _text_or_empty(value: Any) -> str:
+    return "" if value is None else str(value)

@@ -1,0 +1,106 @@
+"""What a time step costs: the stepped method held against the exact run, for many steps."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from carom.columns import ColumnTable
+from carom.method import Exact, Stepped
+
+if TYPE_CHECKING:
+    from carom.events import Event
+    from carom.run import Run
+    from carom.scenario import Scenario
+
+DEFAULT_STEPS = (0.1, 0.05, 0.03, 0.01, 0.005, 0.003, 0.001, 0.0005, 0.0003, 0.0001)
+"""Time steps over three decades."""
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """The stepped method against the exact run of the same scenario.
+
+    Attributes
+    ----------
+    exact : Run
+        The exact run.
+    table : ColumnTable
+        One row for each time step: ``dt``; ``events``, how many the stepped run has; ``missed``, how many of
+        the exact run's it lacks and ``extra``, how many it has beside them (by kind, balls and cushion);
+        ``time_lost``, the time that balls waited at contacts; ``overlap``, how deep balls or cushions were
+        entered; ``error``, how far from its exact place the worst ball ends.
+    order : float or None
+        The slope of log ``error`` against log ``dt``, over the steps whose runs have the exact run's events;
+        None where fewer than two do. As the steps go to zero it goes to 1.
+    """
+
+    exact: Run
+    table: ColumnTable
+    order: float | None
+
+
+def compare(scenario: Scenario, steps: Iterable[float] = DEFAULT_STEPS, **options: Any) -> Comparison:
+    """Run a scenario exactly and with each of some time steps.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        What to run; its own method is set aside.
+    steps : iterable of float
+        The time steps.
+    **options
+        What `Scenario.run` takes beside the method: `duration`, `max_events`.
+
+    Returns
+    -------
+    Comparison
+
+    Examples
+    --------
+    >>> import carom
+    >>> from carom.comparison import compare
+    >>> comparison = compare(carom.load("midterm"), [0.03, 0.01])
+    >>> comparison.table["missed"].tolist()
+    [1, 0]
+    """
+    exact = scenario.run(method=Exact(), **options)
+    rows = [_row(exact, scenario.run(method=Stepped(dt), **options), dt) for dt in steps]
+    table = ColumnTable({name: [row[name] for row in rows] for name in ROW})
+    return Comparison(exact, table, _order(table))
+
+
+ROW = ("dt", "events", "missed", "extra", "time_lost", "overlap", "error")
+
+
+def _row(exact: Run, stepped: Run, dt: float) -> dict[str, float]:
+    wanted, found = _kinds_of(exact.events), _kinds_of(stepped.events)
+    end = min(exact.end_time, stepped.end_time)
+    apart = np.linalg.norm(stepped.positions([end]) - exact.positions([end]), axis=-1)
+    return {
+        "dt": float(dt),
+        "events": found.total(),
+        "missed": (wanted - found).total(),
+        "extra": (found - wanted).total(),
+        "time_lost": stepped.diagnostics["lost_time"],
+        "overlap": stepped.diagnostics["deepest_overlap"],
+        "error": float(apart.max(initial=0.0)),
+    }
+
+
+def _kinds_of(events: Iterable[Event]) -> Counter[tuple[Any, ...]]:
+    """Count the events of each sort: kind, balls, cushion."""
+    return Counter((event.kind, frozenset(event.balls), event.cushion) for event in events)
+
+
+def _order(table: ColumnTable) -> float | None:
+    good = (table["missed"] == 0) & (table["extra"] == 0) & (table["error"] > 0)
+    steps: Sequence[float] = table["dt"][good]
+    if len(set(steps)) < 2:
+        return None
+    slope, _ = np.polyfit(np.log(steps), np.log(table["error"][good]), 1)
+    return float(slope)

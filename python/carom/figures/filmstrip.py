@@ -1,0 +1,270 @@
+"""The filmstrip: the table before, during and after an event."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+
+from carom.figures import style
+from carom.figures.moments import default_event, frame_times, just_before
+from carom.figures.scene import Scene
+from carom.figures.table import arrow_scale, draw_arrow, draw_balls, draw_table, framed_ratio, table_contains
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from carom.events import Event
+    from carom.run import Run
+
+PAGE_WIDTH = 7.2
+PAGE_HEIGHT = 8.4
+LEFT, RIGHT, GAP, BELOW, TITLE, NARROW = 0.5, 0.1, 0.16, 0.36, 0.3, 1.8  # inches
+
+
+@dataclass(frozen=True)
+class Strip:
+    """What the frames of one filmstrip share."""
+
+    run: Run
+    scene: Scene
+    event: Event
+    times: NDArray[np.float64]
+    arrow: float
+
+    @property
+    def middle(self) -> int:
+        """The place of the event's frame."""
+        return len(self.times) // 2
+
+    @property
+    def participants(self) -> list[int]:
+        """The places of the event's balls."""
+        return [self.scene.ids.index(ball) for ball in self.event.balls]
+
+
+def filmstrip(
+    run: Run,
+    around: Event | None = None,
+    *,
+    frames: int = 3,
+    axes: Sequence[Axes] | None = None,
+    arrows: bool = True,
+    contact_axes: bool = True,
+) -> list[Axes]:
+    """Show the table before, at and after an event, side by side.
+
+    Of an exact run the frames are equal times apart, chosen so that the participants are visibly apart in the
+    frames next to the event. Of a stepped run they are the scheme's own: the last step before, the contact,
+    the first full step after.
+
+    Parameters
+    ----------
+    run : Run
+        The run to show.
+    around : Event, optional
+        A row of ``run.events``. If not given: the first ball-ball event in whose frames the balls come apart, or
+        else the first of all.
+    frames : int
+        How many frames, odd.
+    axes : sequence of Axes, optional
+        One for each frame; a new figure is made if not given.
+    arrows : bool
+        Draw velocities. In the frame of the event, dashed ones are those just before it.
+    contact_axes : bool
+        Draw the normal n and the tangent t of the contact in its frame.
+
+    Returns
+    -------
+    list of Axes
+        One for each frame, in order of time.
+
+    Raises
+    ------
+    ValueError
+        If the run has no event, or `frames` is not an odd number of three or more, or `axes` are not as many.
+    """
+    if frames < 3 or frames % 2 == 0:
+        raise ValueError(f"frames must be odd and at least 3, got {frames}")
+    scene = Scene.of(run.scenario)
+    event = around or default_event(run, scene)
+    times = frame_times(run, scene, event, frames)
+    strip = Strip(run, scene, event, times, _arrow_scale(run, scene, times) if arrows else 0.0)
+    chosen = _new_axes(scene, frames) if axes is None else list(axes)
+    if len(chosen) != frames:
+        raise ValueError(f"needs one axes for each of {frames} frames, got {len(chosen)}")
+    for frame, ax in enumerate(chosen):
+        _draw_frame(ax, strip, frame)
+    if contact_axes:
+        _draw_contact_axes(chosen[strip.middle], strip)
+    if axes is None and strip.arrow:
+        _note_scale(chosen[-1], strip)
+    return chosen
+
+
+def _new_axes(scene: Scene, frames: int) -> list[Axes]:
+    """Lay the frames in a row, or in a column where the table is wide, without empty space around them."""
+    ratio = framed_ratio(scene)
+    in_row = ratio > 0.62
+    columns, rows = (frames, 1) if in_row else (1, frames)
+    across = (PAGE_WIDTH - LEFT - RIGHT - (columns - 1) * GAP) / columns
+    title = TITLE if across >= NARROW else 1.6 * TITLE
+    along = (PAGE_HEIGHT - BELOW) / rows - title
+    width = min(across, along / ratio, 4.6)
+    height = width * ratio
+    total_width = LEFT + RIGHT + columns * width + (columns - 1) * GAP
+    total_height = BELOW + rows * (height + title)
+    figure = style.new_figure(total_width, total_height)
+    axes = []
+    for frame in range(frames):
+        column, row = (frame, 0) if in_row else (0, frame)
+        left = LEFT + column * (width + GAP)
+        bottom = total_height - (row + 1) * (height + title)
+        place = (left / total_width, bottom / total_height, width / total_width, height / total_height)
+        axes.append(figure.add_axes(place))
+    _label_scales(axes, scene, in_row=in_row)
+    return axes
+
+
+def _label_scales(axes: Sequence[Axes], scene: Scene, *, in_row: bool) -> None:
+    """Name the scales once, and keep their numbers only where the strip ends."""
+    middle = axes[len(axes) // 2]
+    (middle if in_row else axes[-1]).set_xlabel(
+        scene.label("x", "length"), fontsize=style.TICK_SIZE, labelpad=1
+    )
+    (axes[0] if in_row else middle).set_ylabel(
+        scene.label("y", "length"), fontsize=style.TICK_SIZE, labelpad=2
+    )
+    for ax in axes[1:] if in_row else axes[:-1]:
+        if in_row:
+            ax.tick_params(left=False, labelleft=False)
+        else:
+            ax.tick_params(bottom=False, labelbottom=False)
+
+
+def _note_scale(ax: Axes, strip: Strip) -> None:
+    """Say in the lower right corner how long an arrow is."""
+    unit = strip.scene.unit("time")
+    words = f"arrows: velocity \N{MULTIPLICATION SIGN} {strip.arrow:g}" + (f" {unit}" if unit else "")
+    style.figure_of(ax).text(
+        0.99, 0.008, words, fontsize=style.SMALL_SIZE, color=style.FAINT_INK, ha="right", va="bottom"
+    )
+
+
+def _arrow_scale(run: Run, scene: Scene, times: NDArray[np.float64]) -> float:
+    positions, velocities = run.positions(times)[..., :2], run.velocities(times)[..., :2]
+    spacing = float(times[-1] - times[0]) / (len(times) - 1)
+    return arrow_scale(scene, [*zip(positions, velocities, strict=True)], spacing)
+
+
+def _draw_frame(ax: Axes, strip: Strip, frame: int) -> None:
+    time = float(strip.times[frame])
+    draw_table(ax, strip.scene)
+    _draw_ghost_paths(ax, strip, time)
+    positions = strip.run.positions([time])[0, :, :2]
+    draw_balls(ax, strip.scene, positions)
+    if frame == strip.middle:
+        _draw_velocities_before(ax, strip, positions)
+    _draw_velocities(ax, strip, positions, time)
+    ax.set_title(_title(ax, strip, frame), fontsize=style.TITLE_SIZE - 1, color=style.INK, pad=4)
+
+
+def _draw_velocities(ax: Axes, strip: Strip, positions: NDArray[np.float64], time: float) -> None:
+    velocities = strip.run.velocities([time])[0, :, :2]
+    for place, velocity in zip(positions, velocities, strict=True):
+        if strip.arrow and np.any(velocity != 0.0) and np.all(np.isfinite(place)):
+            draw_arrow(ax, place, place + strip.arrow * velocity)
+
+
+def _draw_velocities_before(ax: Axes, strip: Strip, positions: NDArray[np.float64]) -> None:
+    """Draw, pointing to the centres of the participants, with what velocity they came."""
+    before = strip.run.velocities([just_before(strip.event.time)])[0, :, :2]
+    for ball in strip.participants:
+        if strip.arrow and np.any(before[ball] != 0.0):
+            draw_arrow(ax, positions[ball] - strip.arrow * before[ball], positions[ball], faint=True)
+
+
+def _draw_ghost_paths(ax: Axes, strip: Strip, time: float) -> None:
+    """Draw where each ball comes from, fading into the past, and dotted where it goes."""
+    speed = np.nanmax(np.linalg.norm(strip.run.velocities(strip.times), axis=-1))
+    back = 0.7 * strip.scene.size / speed if speed > 0 else 0.0
+    past = _path_times(strip.run, max(0.0, time - back), time)
+    future = _path_times(strip.run, time, float(strip.times[-1]))
+    came = strip.run.positions(past)[..., :2]
+    goes = strip.run.positions(future)[..., :2]
+    fade = 0.6 * (past[1:] - past[0]) / max(time - past[0], 1e-300)
+    for ball, colour in enumerate(map(style.line_colour, strip.scene.colours)):
+        if np.ptp(came[:, ball], axis=0).any():
+            pieces = np.stack([came[:-1, ball], came[1:, ball]], axis=1)
+            colours = [(*colour, alpha) for alpha in fade]
+            lines = LineCollection(list(pieces), colors=colours, linewidths=1.0, capstyle="butt", zorder=1.5)
+            ax.add_collection(lines, autolim=False)
+        if np.ptp(goes[:, ball], axis=0).any():
+            ax.plot(
+                *goes[:, ball].T, color=colour, alpha=0.8, linewidth=0.9, linestyle=(0, (1, 2)), zorder=1.5
+            )
+
+
+def _path_times(run: Run, start: float, end: float) -> NDArray[np.float64]:
+    """Give times close enough to draw paths, with all events among them."""
+    events = np.asarray(run.events.by_time(start, end)["time"], dtype=float)
+    return np.unique(np.concatenate([np.linspace(start, end, 40), events]))
+
+
+def _draw_contact_axes(ax: Axes, strip: Strip) -> None:
+    """Draw the lines of the contact's normal and tangent through it, each named beyond what it crosses."""
+    scene, event = strip.scene, strip.event
+    centre, normal = np.array(event.position), np.array(event.normal)
+    at_cushion = len(event.balls) == 1
+    radius = float(scene.radii[strip.participants].max())
+    short = max(2.4 * radius, 0.06 * scene.size)
+    positions, velocities = strip.run.states([event.time])
+    tips = (positions + strip.arrow * velocities)[0, strip.participants, :2] - centre
+    for name, direction in (("n", normal), ("t", np.array([-normal[1], normal[0]]))):
+        origin = centre + 0.03 * scene.size * normal if name == "t" and at_cushion else centre
+        wanted = max(short, float((tips @ direction).max()) + 0.03 * scene.size)
+        ahead = _length_inside(scene, origin, direction, wanted)
+        behind = 0.0 if name == "n" and at_cushion else _length_inside(scene, origin, -direction, short)
+        ends = origin + np.outer([-behind, ahead], direction)
+        ax.plot(*ends.T, color=style.INK, linewidth=0.7, linestyle=(0, (5, 2.5)), zorder=3.6)
+        label = ends[1] if ahead >= 0.6 * wanted else ends[0]
+        away = label + 0.025 * scene.size * (label - origin) / np.linalg.norm(label - origin)
+        ax.text(
+            float(away[0]),
+            float(away[1]),
+            name,
+            fontsize=style.LABEL_SIZE,
+            style="italic",
+            ha="center",
+            va="center",
+            zorder=5,
+        )
+
+
+def _length_inside(
+    scene: Scene, origin: NDArray[np.float64], direction: NDArray[np.float64], wanted: float
+) -> float:
+    """Shorten a line from the contact until it and its name lie on the cloth."""
+    inside = table_contains(scene)
+    lengths = wanted * np.arange(1.0, 0.2, -0.05)
+    room = 0.05 * scene.size
+    return next(
+        (float(x) for x in lengths if inside((origin + (x + room) * direction)[None])), float(lengths[-1])
+    )
+
+
+def _title(ax: Axes, strip: Strip, frame: int) -> str:
+    """Give a frame's title: its time, and what it shows; in two lines where the frame is narrow."""
+    least = float(np.diff(strip.times)[np.diff(strip.times) > 0].min(initial=1.0))
+    digits = int(np.clip(np.ceil(-np.log10(least)) + 2, 1, 9))
+    unit = strip.scene.unit("time")
+    time = f"t = {strip.times[frame]:.{digits}f}" + (f" {unit}" if unit else "")
+    kind = {"ball_ball": "collision", "ball_cushion": "cushion"}.get(strip.event.kind, strip.event.kind)
+    words = ("before", kind, "after")[int(np.sign(frame - strip.middle)) + 1]
+    width = ax.get_position(original=True).width * style.figure_of(ax).get_figwidth()
+    return f"{words}\n{time}" if width < NARROW else f"{time} — {words}"

@@ -1,0 +1,183 @@
+"""The paths of all balls over a run, with the places of their collisions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from carom.figures import style
+from carom.figures.labels import Labeller
+from carom.figures.moments import draw_times
+from carom.figures.scene import Scene
+from carom.figures.table import draw_balls, draw_table, framed_ratio, points_per_unit
+
+if TYPE_CHECKING:
+    from typing import Any
+
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+    from carom.events import Event
+    from carom.run import Run
+
+MOST_NUMBERS = 30
+MOST_MARKS = 400
+SAMPLES = 500
+MARGIN = 0.055
+LEGEND = {"frameon": False, "handletextpad": 0.1, "columnspacing": 1.2, "borderaxespad": 0.15}
+
+
+def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None) -> Axes:
+    """Draw where every ball went, from its start (a ring) to its end (a disc).
+
+    Ball-ball contacts are marked by diamonds, cushion contacts by small dots, up to `MOST_MARKS` of them.
+
+    Parameters
+    ----------
+    run : Run
+        The run to show.
+    ax : Axes, optional
+        Where to draw; a new figure is made if not given.
+    numbers : bool, optional
+        Number the events in order of time. If not given: where there are no more than 30.
+
+    Returns
+    -------
+    Axes
+    """
+    scene = Scene.of(run.scenario)
+    ax = _new_axes(scene) if ax is None else ax
+    draw_table(ax, scene, margin=MARGIN)
+    ax.set_xlabel(scene.label("x", "length"), fontsize=style.LABEL_SIZE, labelpad=1)
+    ax.set_ylabel(scene.label("y", "length"), fontsize=style.LABEL_SIZE, labelpad=2)
+    events = [event for event in run.events if np.isfinite(event.x) and np.isfinite(event.y)]
+    times = draw_times(run, SAMPLES)
+    places = run.positions(times)[..., :2]
+    _draw_lines(ax, scene, places, len(events))
+    draw_balls(ax, scene, places[0], filled=False, zorder=2.6)
+    draw_balls(ax, scene, places[-1], zorder=3.0)
+    if len(events) <= MOST_MARKS:
+        _draw_marks(ax, events)
+    if len(events) <= MOST_NUMBERS if numbers is None else numbers:
+        _draw_contact_rings(ax, run, scene, events)
+        _draw_numbers(ax, run, scene, events, places)
+    return ax
+
+
+def _new_axes(scene: Scene) -> Axes:
+    """Make an axes as large as a page's column allows, in the table's proportions."""
+    ratio = framed_ratio(scene, MARGIN)
+    width = min(5.4, 6.4 / ratio)
+    left, right, below, above = 0.5, 0.1, 0.68, 0.06
+    total = (left + width + right, below + width * ratio + above)
+    figure = style.new_figure(*total)
+    place = (left / total[0], below / total[1], width / total[0], width * ratio / total[1])
+    ax = figure.add_axes(place)
+    figure.legend(handles=_legend_marks(), loc="lower center", ncols=4, fontsize=style.TICK_SIZE, **LEGEND)
+    return ax
+
+
+def _legend_marks() -> list[Line2D]:
+    """Give one sample of each mark, with its meaning."""
+    grey = style.FAINT_INK
+    return [
+        Line2D([], [], linestyle="none", marker="o", markersize=8, mfc="none", mec=grey, label="start"),
+        Line2D(
+            [], [], linestyle="none", marker="o", markersize=8, mfc=grey, mec=style.BALL_EDGE, label="end"
+        ),
+        *(
+            Line2D([], [], linestyle="none", label=style.EVENT_WORDS[kind], **_mark(kind))
+            for kind in ("ball_ball", "ball_cushion")
+        ),
+    ]
+
+
+def _mark(kind: str) -> dict[str, Any]:
+    """Give the look of a kind of event's mark."""
+    colour = style.EVENT_COLOURS[kind]
+    shared: dict[str, Any] = {"marker": style.EVENT_MARKERS[kind]}
+    if kind == "ball_cushion":
+        return shared | {"markersize": 3.0, "mfc": "white", "mec": colour, "mew": 0.8}
+    return shared | {"markersize": 4.4, "mfc": colour, "mec": "white", "mew": 0.6}
+
+
+def _draw_lines(ax: Axes, scene: Scene, places: NDArray[np.float64], n_events: int) -> None:
+    """Draw the paths; the more events, the thinner and fainter."""
+    crowding = min(1.0, n_events / 300)
+    for ball, colour in enumerate(map(style.line_colour, scene.colours)):
+        ax.plot(
+            *places[:, ball].T,
+            color=colour,
+            linewidth=1.3 - 0.8 * crowding,
+            alpha=0.85 - 0.35 * crowding,
+            solid_joinstyle="round",
+            zorder=2.0,
+        )
+
+
+def _draw_marks(ax: Axes, events: list[Event]) -> None:
+    for kind in ("ball_cushion", "ball_ball"):
+        chosen = [event.position for event in events if event.kind == kind]
+        x, y = np.array(chosen).reshape(-1, 2).T
+        ax.plot(x, y, linestyle="none", zorder=3.6, clip_on=False, **_mark(kind))
+
+
+def _draw_contact_rings(ax: Axes, run: Run, scene: Scene, events: list[Event]) -> None:
+    """Draw faintly where the two balls of each ball-ball contact were."""
+    for event in events:
+        if event.kind == "ball_ball":
+            places = run.positions([event.time])[0, :, :2]
+            others = [ball for ball, name in enumerate(scene.ids) if name not in event.balls]
+            places[others] = np.nan
+            draw_balls(ax, scene, places, filled=False, alpha=0.4, zorder=2.4)
+
+
+def _draw_numbers(ax: Axes, run: Run, scene: Scene, events: list[Event], places: NDArray[np.float64]) -> None:
+    """Put numbers at the events: at cushions outside the table, between balls where there is room."""
+    scale = points_per_unit(ax)
+    curves = places.reshape(-1, 2)[:: max(1, places.size // 8000)]
+    labeller = Labeller(lines=np.concatenate([curves, _ring_points(run, scene, events)]) * scale)
+    labeller.avoid([np.array(event.position) * scale for event in events], 2.5)
+    for radius, place in zip(scene.radii, places[-1], strict=True):
+        labeller.avoid([place * scale], float(radius) * scale)
+    ordered = sorted(enumerate(events, start=1), key=lambda item: item[1].kind != "ball_cushion")
+    for number, event in ordered:
+        at_cushion = event.kind == "ball_cushion"
+        away = -_inward(run, scene, event) if at_cushion else None
+        anchor = np.array(event.position) * scale
+        size = style.SMALL_SIZE * (1.0 if number < 10 else 1.35)
+        centre = labeller.place(anchor, size, 9.0 if at_cushion else 4.0 + size / 2, away) / scale
+        colour = style.INK if at_cushion else style.EVENT_COLOURS["ball_ball"]
+        ax.text(
+            float(centre[0]),
+            float(centre[1]),
+            str(number),
+            fontsize=style.SMALL_SIZE,
+            fontweight="normal" if at_cushion else "bold",
+            color=colour,
+            ha="center",
+            va="center_baseline",
+            zorder=5,
+        )
+
+
+def _ring_points(run: Run, scene: Scene, events: list[Event]) -> NDArray[np.float64]:
+    """Give places along the rings drawn at the start and at ball-ball contacts."""
+    angles = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
+    circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    drawn = [(0.0, ball) for ball in range(len(scene.ids))]
+    drawn += [
+        (event.time, scene.ids.index(b)) for event in events if event.kind == "ball_ball" for b in event.balls
+    ]
+    rings = [run.positions([time])[0, ball, :2] + scene.radii[ball] * circle for time, ball in drawn]
+    return np.concatenate(rings)
+
+
+def _inward(run: Run, scene: Scene, event: Event) -> NDArray[np.float64]:
+    """Give the normal of a cushion contact that points to the side where the ball goes on."""
+    normal = np.array(event.normal)
+    ball = scene.ids.index(str(event.ball_a))
+    velocity = run.velocities([event.time])[0, ball, :2]
+    return normal if normal @ velocity >= 0 else -normal

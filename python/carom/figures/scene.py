@@ -1,0 +1,102 @@
+"""What the figures read of a scenario: balls with their colours, the outline, and the words for axes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from carom.figures.style import ball_colours
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    from carom.scenario import Scenario
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A table and the balls on it, in file order.
+
+    Attributes
+    ----------
+    ids, colours : tuple of str
+        One for each ball.
+    radii, masses : (n_balls,) float64
+        One for each ball.
+    bounds : tuple of float
+        ``(x_min, y_min, x_max, y_max)`` of the table.
+    pieces : tuple of mappings
+        The pieces of the outline, boundary first, in order.
+    field : (2,) float64
+        The constant acceleration of all balls.
+    units : mapping
+        Names of units by quantity (``length``, ``time``, ...); may be empty.
+    """
+
+    ids: tuple[str, ...]
+    colours: tuple[str, ...]
+    radii: NDArray[np.float64]
+    masses: NDArray[np.float64]
+    bounds: tuple[float, float, float, float]
+    pieces: tuple[Mapping[str, Any], ...]
+    field: NDArray[np.float64]
+    units: Mapping[str, str]
+
+    @classmethod
+    def of(cls, scenario: Scenario) -> Scene:
+        """Read a scenario."""
+        outline = scenario.outline()
+        balls = scenario.balls
+        ids = tuple(ball.id for ball in balls)
+        colours = ball_colours(ids, [ball.color for ball in balls])
+        flight = scenario.to_dict().get("physics", {}).get("flight", {})
+        x_min, y_min, x_max, y_max = outline["bounds"]
+        return cls(
+            ids=ids,
+            colours=tuple(colours),
+            radii=np.array([ball.radius or 0.0 for ball in balls], dtype=float),
+            masses=np.array([ball.mass or 1.0 for ball in balls], dtype=float),
+            bounds=(x_min, y_min, x_max, y_max),
+            pieces=tuple(outline["pieces"]),
+            field=np.array(flight.get("acceleration", (0.0, 0.0)), dtype=float),
+            units=scenario.units,
+        )
+
+    @property
+    def width(self) -> float:
+        """Extent of the table along x."""
+        return self.bounds[2] - self.bounds[0]
+
+    @property
+    def height(self) -> float:
+        """Extent of the table along y."""
+        return self.bounds[3] - self.bounds[1]
+
+    @property
+    def size(self) -> float:
+        """The larger extent of the table."""
+        return max(self.width, self.height)
+
+    def label(self, words: str, quantity: str) -> str:
+        """Give an axis label: the words, and the unit in brackets where the scenario names one."""
+        unit = self.unit(quantity)
+        return f"{words} ({unit})" if unit else words
+
+    def unit(self, quantity: str) -> str:
+        """Give the unit of a quantity, put together from those of length, time and mass if need be."""
+        if quantity in self.units:
+            return self.units[quantity]
+        length, time, mass = (self.units.get(name, "") for name in ("length", "time", "mass"))
+        if quantity == "speed" and length and time:
+            return f"{length}/{time}"
+        if quantity == "momentum" and length and time and mass:
+            return f"{mass} {length}/{time}"
+        if quantity == "energy" and length and time and mass:
+            joule = (length, time, mass) == ("m", "s", "kg")
+            return "J" if joule else f"{mass} {length}²/{time}²"
+        return ""

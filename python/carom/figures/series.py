@@ -1,0 +1,166 @@
+"""Energy, speed and momentum against time, with a tick for every event."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.transforms import blended_transform_factory
+
+from carom.figures import style
+from carom.figures.moments import draw_times
+from carom.figures.scene import Scene
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+    from carom.run import Run
+
+SIZE = (6.4, 3.4)
+SAMPLES = 600
+MOST_TICKS = 2000
+MOST_NAMED = 8
+LEGEND_COLUMNS = 6
+
+
+def plot_energy(run: Run, ax: Axes | None = None) -> Axes:
+    """Draw the total energy and every ball's kinetic energy against time.
+
+    In a field the total includes the potential energy, which is zero at the lowest corner of the table's bounds.
+
+    Parameters
+    ----------
+    run : Run
+        The run to show.
+    ax : Axes, optional
+        Where to draw; a new figure is made if not given.
+
+    Returns
+    -------
+    Axes
+    """
+    scene = Scene.of(run.scenario)
+    ax = _new_axes(scene) if ax is None else ax
+    times = draw_times(run, SAMPLES)
+    positions, velocities = run.states(times)
+    _draw_balls(ax, scene, times, 0.5 * scene.masses * np.sum(np.square(velocities), axis=-1))
+    total = run.energy(times)
+    label = "total"
+    if np.any(scene.field != 0.0):
+        total = total + _potential(scene, positions[..., :2])
+        label = "total, with potential"
+    ax.plot(times, total, color=style.INK, linewidth=1.8, label=label, zorder=3)
+    return _finish(ax, run, scene, scene.label("energy", "energy"), from_zero=True)
+
+
+def plot_speed(run: Run, ax: Axes | None = None) -> Axes:
+    """Draw every ball's speed against time.
+
+    Parameters
+    ----------
+    run : Run
+        The run to show.
+    ax : Axes, optional
+        Where to draw; a new figure is made if not given.
+
+    Returns
+    -------
+    Axes
+    """
+    scene = Scene.of(run.scenario)
+    ax = _new_axes(scene) if ax is None else ax
+    times = draw_times(run, SAMPLES)
+    _draw_balls(ax, scene, times, np.linalg.norm(run.velocities(times), axis=-1))
+    return _finish(ax, run, scene, scene.label("speed", "speed"), from_zero=True)
+
+
+def plot_momentum(run: Run, ax: Axes | None = None) -> Axes:
+    """Draw the components of the total momentum against time.
+
+    Parameters
+    ----------
+    run : Run
+        The run to show.
+    ax : Axes, optional
+        Where to draw; a new figure is made if not given.
+
+    Returns
+    -------
+    Axes
+    """
+    scene = Scene.of(run.scenario)
+    ax = _new_axes(scene) if ax is None else ax
+    times = draw_times(run, SAMPLES)
+    momentum = run.momentum(times)
+    for axis, (name, colour) in enumerate((("x", style.PALETTE[3]), ("y", style.PALETTE[4]))):
+        ax.plot(times, momentum[:, axis], color=colour, linewidth=1.5, label=f"total, {name}", zorder=2)
+    ax.axhline(0.0, color=style.FAINT_INK, linewidth=0.7, zorder=1)
+    return _finish(ax, run, scene, scene.label("momentum", "momentum"), from_zero=False)
+
+
+def _new_axes(scene: Scene) -> Axes:
+    """Make an axes under room for a legend that names the balls where they are few, and three things more."""
+    entries = 3 + (len(scene.ids) if len(scene.ids) <= MOST_NAMED else 1)
+    return style.new_axes(*SIZE, legend_rows=-(-entries // LEGEND_COLUMNS))
+
+
+def _potential(scene: Scene, positions: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Give the potential energy of all balls together in the field, (n_times,) float64."""
+    corners = np.array([(x, y) for x in scene.bounds[::2] for y in scene.bounds[1::2]])
+    above: NDArray[np.float64] = (corners @ scene.field).max() - positions @ scene.field
+    return above @ scene.masses
+
+
+def _draw_balls(ax: Axes, scene: Scene, times: NDArray[np.float64], values: NDArray[np.float64]) -> None:
+    """Draw one curve for each ball; in the legend they are named if they are few."""
+    many = len(scene.ids) > MOST_NAMED
+    names = ["each ball", *[""] * (len(scene.ids) - 1)] if many else scene.ids
+    for ball, (name, colour) in enumerate(zip(names, map(style.line_colour, scene.colours), strict=True)):
+        ax.plot(
+            times, values[:, ball], color=colour, linewidth=0.9 if many else 1.3, label=name or None, zorder=2
+        )
+
+
+def _finish(ax: Axes, run: Run, scene: Scene, label: str, *, from_zero: bool) -> Axes:
+    """Add event ticks, labels and the legend above the curves."""
+    style.tidy_axes(ax)
+    ax.set_xlim(0.0, run.end_time or 1.0)
+    low, high = ax.get_ylim()
+    low = 0.0 if from_zero else low
+    rug = 0.07 * (high - low)
+    ax.set_ylim(low - rug, high)
+    _draw_event_ticks(ax, run)
+    ax.set_xlabel(scene.label("time", "time"), fontsize=style.LABEL_SIZE)
+    ax.set_ylabel(label, fontsize=style.LABEL_SIZE)
+    ax.legend(
+        loc="lower left",
+        bbox_to_anchor=(0.0, 1.0),
+        ncols=LEGEND_COLUMNS,
+        fontsize=style.TICK_SIZE,
+        frameon=False,
+        handlelength=1.4,
+        columnspacing=1.3,
+        borderaxespad=0.2,
+    )
+    return ax
+
+
+def _draw_event_ticks(ax: Axes, run: Run) -> None:
+    """Draw a row of ticks under the curves, coloured by kind; ball-ball ones are the taller."""
+    where = blended_transform_factory(ax.transData, ax.transAxes)
+    kinds = np.asarray(run.events["kind"])
+    all_times = np.asarray(run.events["time"], dtype=float)
+    for kind, height in (("ball_cushion", 0.03), ("ball_ball", 0.05)):
+        times = all_times[kinds == kind]
+        if 0 < len(times) <= MOST_TICKS:
+            ax.vlines(
+                times,
+                0.0,
+                height,
+                transform=where,
+                color=style.EVENT_COLOURS[kind],
+                linewidth=1.6 if kind == "ball_ball" else 0.9,
+                label=style.EVENT_WORDS[kind],
+                zorder=2.5,
+            )

@@ -1,0 +1,172 @@
+"""Colours, sizes and the making and saving of figures.
+
+Every setting is applied to the objects of one figure. Global matplotlib settings are read (a user's fonts are
+kept) and never written, and pyplot is not imported, so the figures work without a display.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import matplotlib
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_hex, to_rgb
+from matplotlib.figure import Figure
+
+from carom.files import replacing
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+CLOTH = "#edf3ee"
+CUSHION = "#8a9a91"
+NOSE = "#3f4d46"
+INK = "#22292f"
+FAINT_INK = "#7a858c"
+GRID = "#e3e7ea"
+BALL_EDGE = "#1d2327"
+
+# Paul Tol's "bright" and Okabe and Ito's sets, ordered so that neighbours differ in hue and in lightness;
+# all can be told apart with the common forms of colour blindness.
+PALETTE = (
+    "#c8402f",
+    "#2b6cb0",
+    "#e3a21a",
+    "#1f9d7c",
+    "#8e5bb5",
+    "#66b7e0",
+    "#8c5a2b",
+    "#d377a8",
+)
+
+# A ball whose id is a colour word is drawn in that colour, in the shade used here.
+COLOUR_WORDS = {
+    "red": PALETTE[0],
+    "blue": PALETTE[1],
+    "yellow": "#edc23b",
+    "green": PALETTE[3],
+    "orange": "#e07f24",
+    "purple": PALETTE[4],
+    "pink": PALETTE[7],
+    "brown": PALETTE[6],
+    "black": "#2b2f33",
+    "white": "#fbfaf4",
+    "grey": "#8b939a",
+    "gray": "#8b939a",
+    "cue": "#fbfaf4",
+}
+
+EVENT_COLOURS = {"ball_ball": "#b3261e", "ball_cushion": "#5b6b78"}
+EVENT_MARKERS = {"ball_ball": "D", "ball_cushion": "o"}
+EVENT_WORDS = {"ball_ball": "ball-ball", "ball_cushion": "cushion"}
+
+TITLE_SIZE = 10.0
+LABEL_SIZE = 9.0
+TICK_SIZE = 8.0
+SMALL_SIZE = 7.0
+
+# A PDF embeds its fonts as fonts (text stays searchable); no file holds a date or random names, so that the
+# same figure gives the same file.
+SAVE_SETTINGS: dict[Any, Any] = {"pdf.fonttype": 42, "svg.fonttype": "path", "svg.hashsalt": "carom"}
+UNDATED: dict[str, dict[str, Any]] = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}
+FORMATS = ("png", "pdf", "svg")
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """Make an empty white figure of a size in inches, outside pyplot."""
+    figure = Figure(figsize=(width, height), facecolor="white")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def new_axes(width: float, height: float, legend_rows: int = 1) -> Axes:
+    """Make one axes on a new figure of a size in inches, with room for labels and for a legend above.
+
+    The room is fixed: a layout that measures its labels draws everything twice.
+    """
+    left, right, below, above = 0.72 / width, 0.14 / width, 0.5 / height, (0.12 + 0.18 * legend_rows) / height
+    return new_figure(width, height).add_axes((left, below, 1.0 - left - right, 1.0 - below - above))
+
+
+def save_figure(figure: Figure, path: str | os.PathLike[str], *, dpi: float = 200) -> Path:
+    """Save a figure under a temporary name, then give it its own: the file is complete or absent.
+
+    Parameters
+    ----------
+    figure : Figure
+        What to save.
+    path : str or path
+        Where to; the suffix (``.png``, ``.pdf`` or ``.svg``) chooses the format.
+    dpi : float
+        Dots per inch of a PNG.
+
+    Returns
+    -------
+    Path
+        The file written.
+    """
+    kind = Path(path).suffix.lower().lstrip(".")
+    with replacing(path) as temporary, matplotlib.rc_context(SAVE_SETTINGS):
+        figure.savefig(temporary, format=kind, dpi=dpi, metadata=UNDATED.get(kind))
+    return Path(path)
+
+
+def font_file() -> str:
+    """Give the file of the sans-serif font that matplotlib brings, so that films look alike everywhere."""
+    return str(Path(matplotlib.get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf")
+
+
+def figure_of(axes: Axes | Sequence[Axes]) -> Figure:
+    """Give the figure that one axes, or the first of several, belongs to."""
+    figure: Any = axes if isinstance(axes, Axes) else axes[0]
+    while not isinstance(figure, Figure):
+        figure = figure.figure
+    return figure
+
+
+def tidy_axes(ax: Axes) -> None:
+    """Give an axes of curves its plain look: two spines, small ticks, a faint grid behind the data."""
+    for side in ("top", "right"):
+        ax.spines[side].set_visible(False)
+    for side in ("left", "bottom"):
+        ax.spines[side].set_color(FAINT_INK)
+    ax.tick_params(labelsize=TICK_SIZE, color=FAINT_INK, labelcolor=INK, length=3)
+    ax.grid(True, color=GRID, linewidth=0.6)
+    ax.set_axisbelow(True)
+
+
+def line_colour(colour: str) -> tuple[float, float, float]:
+    """Give the colour of a ball's lines: its own, darkened where it would not show on white."""
+    red, green, blue = to_rgb(colour)
+    brightness = 0.299 * red + 0.587 * green + 0.114 * blue
+    factor = min(1.0, 0.72 / brightness) if brightness > 0 else 1.0
+    return red * factor, green * factor, blue * factor
+
+
+def _colour(given: str | Sequence[float]) -> str | tuple[float, float, float]:
+    if isinstance(given, str):
+        return given
+    red, green, blue = given
+    return red, green, blue
+
+
+def ball_colours(ids: Sequence[str], given: Sequence[str | Sequence[float] | None]) -> list[str]:
+    """Choose a colour for every ball.
+
+    A colour given in the scenario comes first, then the ball's id where it is a colour word, then the palette
+    in order, leaving out the colours already taken while some are left.
+    """
+    fixed = [
+        COLOUR_WORDS.get(name.lower()) if colour is None else to_hex(_colour(colour))
+        for name, colour in zip(ids, given, strict=True)
+    ]
+    free = [colour for colour in PALETTE if colour not in fixed] or list(PALETTE)
+    chosen: list[str] = []
+    used = 0
+    for colour in fixed:
+        chosen.append(colour or free[used % len(free)])
+        used += colour is None
+    return chosen

@@ -1,0 +1,265 @@
+"""The table as seen from above: cloth, cushions, obstacles, balls, velocity arrows."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.patches import Circle, FancyArrowPatch, PathPatch, Rectangle
+from matplotlib.path import Path
+from matplotlib.patheffects import Normal, Stroke
+from matplotlib.ticker import MaxNLocator
+
+from carom.figures import style
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from typing import Any
+
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+    from carom.figures.scene import Scene
+
+MARGIN = 0.03
+CUSHION_POINTS = 8.0
+
+
+def draw_table(ax: Axes, scene: Scene, *, margin: float = MARGIN) -> None:
+    """Draw cloth, cushions and obstacles in true proportion.
+
+    Parameters
+    ----------
+    ax : Axes
+        Where to draw; its limits, aspect and spines are set.
+    scene : Scene
+        The table to draw.
+    margin : float
+        Room around the table, as a part of its larger extent.
+    """
+    loops = table_loops(scene)
+    cloth = [path for part, path in loops if part == "boundary" and is_closed(path)]
+    if not cloth:
+        x, y = scene.bounds[:2]
+        ax.add_patch(Rectangle((x, y), scene.width, scene.height, facecolor=style.CLOTH, zorder=0.2))
+    for part, path in loops:
+        cushion = style.CUSHION
+        ax.add_patch(
+            PathPatch(
+                path,
+                fill=False,
+                edgecolor=cushion,
+                linewidth=CUSHION_POINTS,
+                joinstyle="round",
+                clip_on=False,
+                zorder=0.1,
+            )
+        )
+        face = style.CLOTH if part == "boundary" else cushion
+        ax.add_patch(
+            PathPatch(
+                path, fill=is_closed(path), facecolor=face, edgecolor=style.NOSE, linewidth=0.8, zorder=0.5
+            )
+        )
+    _frame_table(ax, scene, margin * scene.size)
+
+
+def framed_ratio(scene: Scene, margin: float = MARGIN) -> float:
+    """Give height over width of a table with the room around it."""
+    room = 2.0 * margin * scene.size
+    return (scene.height + room) / (scene.width + room)
+
+
+def _frame_table(ax: Axes, scene: Scene, margin: float) -> None:
+    """Set limits, equal aspect, plain spines and few ticks around a table."""
+    x_min, y_min, x_max, y_max = scene.bounds
+    ax.set_xlim(x_min - margin, x_max + margin)
+    ax.set_ylim(y_min - margin, y_max + margin)
+    ax.set_aspect("equal")
+    for spine in ax.spines.values():
+        spine.set_visible(False)
+    ax.tick_params(labelsize=style.TICK_SIZE, color=style.FAINT_INK, labelcolor=style.INK, length=2.5, pad=2)
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.set_major_locator(MaxNLocator(nbins=4, steps=[1, 2, 5, 10]))
+
+
+def draw_balls(
+    ax: Axes,
+    scene: Scene,
+    positions: NDArray[np.float64],
+    *,
+    filled: bool = True,
+    alpha: float = 1.0,
+    zorder: float = 3.0,
+) -> list[Circle]:
+    """Draw every ball as a disc at its place; a point (radius 0) as a small one of fixed size.
+
+    Parameters
+    ----------
+    ax : Axes
+        Where to draw.
+    scene : Scene
+        Gives radii and colours.
+    positions : (n_balls, 2) float64
+        Centres; a ball whose place is not a number (it was pocketed) is left out.
+    filled : bool
+        Filled discs, or rings.
+    alpha : float
+        Opacity.
+    zorder : float
+        Drawing order.
+
+    Returns
+    -------
+    list of Circle
+        The discs, in order of the balls.
+    """
+    discs = []
+    for place, radius, colour in zip(positions, scene.radii, scene.colours, strict=True):
+        if not np.all(np.isfinite(place)):
+            continue
+        disc = Circle(
+            (float(place[0]), float(place[1])),
+            float(radius) or 0.009 * scene.size,
+            facecolor=colour if filled else "none",
+            edgecolor=style.BALL_EDGE if filled else style.line_colour(colour),
+            linewidth=0.7 if filled else 1.1,
+            alpha=alpha,
+            zorder=zorder,
+        )
+        ax.add_patch(disc)
+        discs.append(disc)
+    return discs
+
+
+def draw_arrow(
+    ax: Axes, tail: NDArray[np.float64], tip: NDArray[np.float64], *, faint: bool = False
+) -> FancyArrowPatch:
+    """Draw an arrow between two places of the table, with a light rim so that it shows on every colour.
+
+    The head shrinks with a short arrow, so that the length stays the message. `draw_table` comes first.
+    """
+    length = float(np.hypot(*(tip - tail))) * points_per_unit(ax)
+    size = min(1.0, length / 8.0)
+    arrow = FancyArrowPatch(
+        (float(tail[0]), float(tail[1])),
+        (float(tip[0]), float(tip[1])),
+        arrowstyle="-|>,head_length=0.42,head_width=0.17",
+        mutation_scale=11 * size,
+        shrinkA=0,
+        shrinkB=0,
+        color=style.FAINT_INK if faint else style.INK,
+        linewidth=(1.0 if faint else 1.3) * max(size, 0.5),
+        linestyle=(0, (2.2, 1.6)) if faint else "solid",
+        joinstyle="miter",
+        zorder=4.0 if faint else 4.2,
+    )
+    rim = Stroke(linewidth=arrow.get_linewidth() + 1.3 * size, foreground="white", alpha=0.75)
+    arrow.set_path_effects([] if faint else [rim, Normal()])
+    ax.add_patch(arrow)
+    return arrow
+
+
+def points_per_unit(ax: Axes) -> float:
+    """Give how many points one unit of length takes in an axes of equal aspect."""
+    figure = style.figure_of(ax)
+    box = ax.get_position(original=True)
+    width, height = figure.get_size_inches()
+    across, along = np.ptp(ax.get_xlim()), np.ptp(ax.get_ylim())
+    return 72.0 * float(min(box.width * width / across, box.height * height / along))
+
+
+def arrow_scale(
+    scene: Scene, states: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]], spacing: float
+) -> float:
+    """Choose how long an arrow is for a velocity of one, the same in all frames of a figure.
+
+    An arrow spans the way of a little more than the time between frames, but no more than a fifth of the
+    table; all are shortened until their tips lie on the cloth, but never so far that the fastest no longer
+    leaves its disc.
+
+    The scale has two digits, so that a caption can state it.
+
+    Parameters
+    ----------
+    scene : Scene
+        The table.
+    states : sequence of (positions, velocities), each (n_balls, 2) float64
+        What the frames show.
+    spacing : float
+        Time between frames.
+    """
+    fastest = max(float(np.nanmax(np.hypot(v[:, 0], v[:, 1]), initial=0.0)) for _, v in states)
+    if fastest == 0.0:
+        return 0.0
+    least = max(2.2 * float(scene.radii.max(initial=0.0)), 0.06 * scene.size) / fastest
+    scale = max(least, min(1.3 * spacing, 0.2 * scene.size / fastest))
+    inside = table_contains(scene)
+    while scale > least and not all(inside(x + scale * v) for x, v in states):
+        scale *= 0.95
+    return float(f"{scale:.2g}")
+
+
+def table_contains(scene: Scene) -> Any:
+    """Give a test of whether points (n, 2) all lie on the cloth; points not a number are passed over."""
+    loops = table_loops(scene)
+
+    def inside(points: NDArray[np.float64]) -> bool:
+        points = points[np.all(np.isfinite(points), axis=1)]
+        held = [
+            path.contains_points(points) == (part == "boundary") for part, path in loops if is_closed(path)
+        ]
+        return bool(np.all(held))
+
+    return inside
+
+
+def table_loops(scene: Scene) -> list[tuple[str, Path]]:
+    """Join the pieces of an outline into paths, one for the boundary and one for each obstacle."""
+    loops: list[tuple[str, list[Path]]] = []
+    end = None
+    for piece in scene.pieces:
+        path = piece_path(piece)
+        joined = end is not None and np.allclose(_places(path)[0], end, rtol=0, atol=1e-9 * scene.size)
+        if joined and loops[-1][0] == piece["part"]:
+            loops[-1][1].append(path)
+        else:
+            loops.append((piece["part"], [path]))
+        end = _places(path)[-1]
+    return [(part, join_paths(paths)) for part, paths in loops]
+
+
+def piece_path(piece: Mapping[str, Any]) -> Path:
+    """Draw one piece of an outline as a path in its own direction."""
+    if piece["kind"] == "line":
+        return Path([piece["start"], piece["end"]])
+    start, end = piece["from_deg"], piece["to_deg"]
+    unit = Path.arc(min(start, end), max(start, end))
+    places = _places(unit) * piece["radius"] + np.asarray(piece["center"], dtype=float)
+    return Path(places if start <= end else places[::-1], unit.codes)
+
+
+def join_paths(paths: Sequence[Path]) -> Path:
+    """Put paths that follow one another into one, closed where the last end meets the first start."""
+    vertices = [_places(paths[0])[:1]]
+    codes = [np.array([Path.MOVETO], dtype=Path.code_type)]
+    for path in paths:
+        drawn = _places(path)[1:]
+        vertices.append(drawn)
+        lines = np.full(len(drawn), Path.LINETO, dtype=Path.code_type)
+        codes.append(lines if path.codes is None else np.asarray(path.codes)[1:])
+    places = np.concatenate(vertices)
+    span = float(np.ptp(places, axis=0).max())
+    if np.allclose(places[0], places[-1], rtol=0, atol=1e-9 * span):
+        vertices.append(places[:1])
+        codes.append(np.array([Path.CLOSEPOLY], dtype=Path.code_type))
+    return Path(np.concatenate(vertices), np.concatenate(codes))
+
+
+def _places(path: Path) -> NDArray[np.float64]:
+    return np.asarray(path.vertices, dtype=np.float64)
+
+
+def is_closed(path: Path) -> bool:
+    """Tell whether a path made by `join_paths` comes back to its start."""
+    return path.codes is not None and np.asarray(path.codes)[-1] == Path.CLOSEPOLY

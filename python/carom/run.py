@@ -1,0 +1,260 @@
+"""Runs: what came out, exact at any time."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom import _engine
+from carom.columns import ColumnTable
+from carom.events import Event, EventTable, decoded
+from carom.files import write_text
+from carom.options import options_json
+from carom.scenario import Scenario
+from carom.summary import block
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+@dataclass(frozen=True)
+class Verification:
+    """What `Run.verify` found; true when the bits are the same.
+
+    Attributes
+    ----------
+    same : bool
+        Whether the repeated run gave the same bits.
+    physics_version : int
+        The version of the physics that the run was made with.
+    difference : dict or None
+        The first difference: what it is, and its two values.
+    """
+
+    same: bool
+    physics_version: int
+    difference: dict[str, Any] | None
+
+    def __bool__(self) -> bool:
+        return self.same
+
+
+class Run:
+    """A computed run; it compares, copies and pickles.
+
+    Attributes
+    ----------
+    status : str
+        How it ended: ``time_limit``, ``collision_limit``, ``stopped``, ``at_rest``, ``collapsed``,
+        ``event_limit`` or ``interrupted``.
+    end_time : float
+        The time at which it ended.
+    digest : str or None
+        A hash over its final state; equal digests mean equal bits. None where a number in it is NaN.
+    ball_ids : list of str
+        The ids of the balls, in the order of every array's ball axis.
+    physics_version : int
+        The version of the physics that it was made with.
+    """
+
+    def __init__(self, native: _engine.Run) -> None:
+        self._native = native
+        self.status = native.status
+        self.end_time = native.end_time
+        self.digest = native.digest
+        self.ball_ids = native.ball_ids
+        self.physics_version = native.physics_version
+
+    @cached_property
+    def scenario(self) -> Scenario:
+        """The scenario as it was run, with the options' method, duration and so on in it."""
+        return Scenario._of(self._native.scenario())
+
+    @cached_property
+    def events(self) -> EventTable:
+        """The events, in order."""
+        columns: dict[str, Any] = dict(self._native.events())
+        kinds, balls = _engine.EVENT_KINDS, self.ball_ids
+        for name, words in (
+            ("kind", kinds),
+            ("ball_a", balls),
+            ("ball_b", balls),
+            ("cushion", self.cushion_ids),
+        ):
+            columns[name] = decoded(columns[name], words)
+        return EventTable(columns, kinds, balls)
+
+    @property
+    def cushion_ids(self) -> list[str]:
+        """The ids of the cushions, in order."""
+        return self._native.cushion_ids
+
+    @cached_property
+    def diagnostics(self) -> dict[str, Any]:
+        """What the run found when it audited itself: events by kind, drifts, the deepest overlap, and so on."""
+        found: dict[str, Any] = json.loads(self._native.diagnostics())
+        return found
+
+    @cached_property
+    def steps(self) -> ColumnTable | None:
+        """The steps of a stepped run; None for an exact one.
+
+        Columns: ``step``, ``time``, and for each ball ``<id>.x``, ``<id>.y``, ``<id>.vx``, ``<id>.vy`` at that
+        time and ``<id>.hit``, the kind of hit in the step that begins there, or None.
+        """
+        steps = self._native.steps()
+        if steps is None:
+            return None
+        columns: dict[str, NDArray[Any]] = {"step": steps["step"], "time": steps["time"]}
+        hits = decoded(steps["hit"], _engine.EVENT_KINDS)
+        for ball, name in enumerate(self.ball_ids):
+            columns |= {f"{name}.{key}": steps[key][:, ball] for key in ("x", "y", "vx", "vy")}
+            columns[f"{name}.hit"] = hits[:, ball]
+        return ColumnTable(columns)
+
+    def states(self, times: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Give positions and velocities at any times within the run; at an event's time, those after it.
+
+        Parameters
+        ----------
+        times : float or (n_times,) array of float
+            In any order.
+
+        Returns
+        -------
+        positions, velocities : (n_times, n_balls, 2) float64
+            In length, and in length per time; without the first axis for a single time.
+
+        Raises
+        ------
+        RunError
+            When a time is outside the run, or when the run kept no flights.
+        """
+        at = np.asarray(times, dtype=np.float64)
+        positions, velocities = self._native.states(np.ascontiguousarray(at).ravel())
+        shape = (*at.shape, len(self.ball_ids), 2)
+        return positions.reshape(shape), velocities.reshape(shape)
+
+    def positions(self, times: ArrayLike) -> NDArray[np.float64]:
+        """Give the centres at `times`, (n_times, n_balls, 2) float64, in length; see `states`."""
+        return self.states(times)[0]
+
+    def velocities(self, times: ArrayLike) -> NDArray[np.float64]:
+        """Give the velocities at `times`, (n_times, n_balls, 2) float64, in length per time; see `states`."""
+        return self.states(times)[1]
+
+    def energy(self, times: ArrayLike) -> NDArray[np.float64]:
+        """Give the kinetic energy at `times`, (n_times,) float64, in mass × (length per time)²."""
+        at = np.asarray(times, dtype=np.float64)
+        return self._native.energy(np.ascontiguousarray(at).ravel()).reshape(at.shape)
+
+    def momentum(self, times: ArrayLike) -> NDArray[np.float64]:
+        """Give the total momentum at `times`, (n_times, 2) float64, in mass × length per time."""
+        at = np.asarray(times, dtype=np.float64)
+        return self._native.momentum(np.ascontiguousarray(at).ravel()).reshape((*at.shape, 2))
+
+    def sample_times(self, step: float) -> NDArray[np.float64]:
+        """Give the times 0, `step`, 2 `step` and so on, and the end of the run; (n_times,) float64."""
+        if not step > 0:
+            raise ValueError(f"step: must be positive, got {step!r}")
+        times = np.arange(int(self.end_time / step) + 1) * step
+        return np.append(times[times < self.end_time], self.end_time)
+
+    def trajectory(self, times: ArrayLike) -> ColumnTable:
+        """Give the motion as a table: ``time``, and per ball ``<id>.x``, ``<id>.y``, ``<id>.vx``, ``<id>.vy``."""
+        at = np.atleast_1d(np.asarray(times, dtype=np.float64))
+        positions, velocities = self.states(at)
+        columns = {"time": at}
+        for ball, name in enumerate(self.ball_ids):
+            columns |= {f"{name}.x": positions[:, ball, 0], f"{name}.y": positions[:, ball, 1]}
+            columns |= {f"{name}.vx": velocities[:, ball, 0], f"{name}.vy": velocities[:, ball, 1]}
+        return ColumnTable(columns)
+
+    def resume(
+        self, *, duration: float | None = None, collisions: int | None = None, max_events: int | None = None
+    ) -> Run:
+        """Give a longer run that goes on where this one ended: the same bits as one run to the new end."""
+        options = {"duration": duration, "collisions": collisions, "max_events": max_events}
+        return Run(self._native.resume(options_json(options)))
+
+    def verify(self) -> Verification:
+        """Compute the run again and compare it bit for bit."""
+        return Verification(**json.loads(self._native.verify()))
+
+    def to_json(self) -> str:
+        """Give the run as JSON text, floats exact."""
+        return self._native.to_json()
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the run to `path` as JSON; `carom.load_run` reads it."""
+        write_text(path, self.to_json() + "\n")
+
+    def plot_paths(self, ax: Axes | None = None, **options: Any) -> Axes:
+        """Draw the paths of the balls; see `carom.figures`."""
+        from carom import figures
+
+        return figures.plot_paths(self, ax=ax, **options)
+
+    def plot_energy(self, ax: Axes | None = None, **options: Any) -> Axes:
+        """Draw the energy over time; see `carom.figures`."""
+        from carom import figures
+
+        return figures.plot_energy(self, ax=ax, **options)
+
+    def plot_speed(self, ax: Axes | None = None, **options: Any) -> Axes:
+        """Draw the speeds of the balls over time; see `carom.figures`."""
+        from carom import figures
+
+        return figures.plot_speed(self, ax=ax, **options)
+
+    def plot_momentum(self, ax: Axes | None = None, **options: Any) -> Axes:
+        """Draw the total momentum over time; see `carom.figures`."""
+        from carom import figures
+
+        return figures.plot_momentum(self, ax=ax, **options)
+
+    def filmstrip(self, around: Event | None = None, **options: Any) -> Any:
+        """Draw an event before, during and after; see `carom.figures`."""
+        from carom import figures
+
+        return figures.filmstrip(self, around=around, **options)
+
+    def animate(self, path: str | os.PathLike[str], **options: Any) -> Path:
+        """Write a film of the run to `path`; see `carom.animation`."""
+        from carom import animation
+
+        return animation.animate(self, path, **options)
+
+    def __eq__(self, other: object) -> bool:
+        return self.to_json() == other.to_json() if isinstance(other, Run) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Callable[[str], Run], tuple[str]]:
+        return _from_json, (self.to_json(),)
+
+    def __repr__(self) -> str:
+        lines = [
+            ("status", self.status),
+            ("end time", f"{self.end_time:.6g}"),
+            ("balls", str(len(self.ball_ids))),
+        ]
+        counts = self.diagnostics["events"].items()
+        return block("Run", [*lines, *((kind, str(count)) for kind, count in counts if count)])
+
+
+def load_run(path: str | os.PathLike[str]) -> Run:
+    """Read a run that `Run.save` wrote."""
+    return _from_json(Path(path).read_text(encoding="utf-8"))
+
+
+def _from_json(text: str) -> Run:
+    return Run(_engine.Run.from_json(text))

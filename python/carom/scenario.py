@@ -1,0 +1,279 @@
+"""Scenarios: everything a run needs, checked and immutable."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from carom import _engine, library
+from carom.ball import Ball
+from carom.encoding import to_json
+from carom.errors import ScenarioError
+from carom.files import write_text
+from carom.options import Record, options_json
+from carom.summary import summary_of_scenario
+
+if TYPE_CHECKING:
+    from carom.events import Event
+    from carom.method import Method
+    from carom.physics import Physics
+    from carom.run import Run
+    from carom.simulation import Simulation
+    from carom.table import Table
+
+
+class Scenario:
+    """A table, balls and laws, checked; it never changes, and compares, hashes, copies and pickles.
+
+    Parameters
+    ----------
+    table : Table
+        The region the balls move in.
+    balls : sequence of Ball
+        The balls; at least one.
+    physics : Physics, optional
+        The laws; absent: free flight and elastic collisions.
+    duration : float, optional
+        How long a run goes on, in time. With neither this nor `collisions` it goes on until everything rests.
+    **more
+        Any other key of a scenario file: `title`, `description`, `collisions`, `max_events`, `record`,
+        `method`, `ball_defaults`, `units`.
+
+    Raises
+    ------
+    ScenarioError
+        When the scenario does not hold together; it lists every problem with its place.
+
+    Examples
+    --------
+    >>> import carom
+    >>> table = carom.Table.rectangle(width=1, length=2)
+    >>> red = carom.Ball("red", radius=0.075, position=(0.1, 0.1), velocity=(3, 4))
+    >>> carom.Scenario(table, [red], duration=5).ball_ids
+    ['red']
+    """
+
+    __slots__ = ("_native",)
+    _native: _engine.Scenario
+
+    def __init__(
+        self,
+        table: Table | Mapping[str, Any],
+        balls: Sequence[Ball | Mapping[str, Any]],
+        *,
+        physics: Physics | Mapping[str, Any] | None = None,
+        duration: float | None = None,
+        **more: Any,
+    ) -> None:
+        keys = {"table": table, "balls": balls, "physics": physics, "duration": duration, **more}
+        given = {name: value for name, value in keys.items() if value is not None}
+        self._native = _engine.Scenario.parse(to_json(given), "json")
+
+    @classmethod
+    def _of(cls, native: _engine.Scenario) -> Scenario:
+        scenario = cls.__new__(cls)
+        scenario._native = native
+        return scenario
+
+    @classmethod
+    def load(cls, source: str | os.PathLike[str]) -> Scenario:
+        """Load a ready-made scenario by name, or a file by path; see `carom.load`."""
+        text, form = library.text_of(source)
+        return cls._of(_engine.Scenario.parse(text, form))
+
+    @classmethod
+    def from_toml(cls, text: str) -> Scenario:
+        """Read a scenario from TOML text."""
+        return cls._of(_engine.Scenario.parse(text, "toml"))
+
+    @classmethod
+    def from_json(cls, text: str) -> Scenario:
+        """Read a scenario from JSON text."""
+        return cls._of(_engine.Scenario.parse(text, "json"))
+
+    @classmethod
+    def from_dict(cls, values: Mapping[str, Any]) -> Scenario:
+        """Read a scenario from a mapping with the keys of a scenario file; NumPy values are welcome."""
+        return cls.from_json(to_json(values))
+
+    @classmethod
+    def check(cls, source: str | os.PathLike[str] | Mapping[str, Any]) -> list[tuple[str, str]]:
+        """Give every problem of a scenario as (place, message); none means that it holds together.
+
+        Parameters
+        ----------
+        source : str, path-like or mapping
+            What `load` or `from_dict` takes.
+        """
+        try:
+            cls.from_dict(source) if isinstance(source, Mapping) else cls.load(source)
+        except ScenarioError as error:
+            return error.problems
+        return []
+
+    def to_toml(self) -> str:
+        """Give the scenario as TOML text in its canonical form."""
+        return self._native.to_toml()
+
+    def to_json(self) -> str:
+        """Give the scenario as JSON text in its canonical form; equal scenarios give equal text."""
+        return self._native.to_json()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give the scenario as a new dict, as its JSON text says it."""
+        values: dict[str, Any] = json.loads(self.to_json())
+        return values
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the scenario to `path`, as TOML or JSON by its suffix."""
+        form = library.format_of(Path(path))
+        write_text(path, self.to_toml() if form == "toml" else self.to_json() + "\n")
+
+    @property
+    def title(self) -> str:
+        """The title; empty where there is none."""
+        return str(self.to_dict().get("title", ""))
+
+    @property
+    def description(self) -> str:
+        """What the scenario shows; empty where it does not say."""
+        return str(self.to_dict().get("description", ""))
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The names of the units (``length``, ``time``, ``mass``) that the scenario names."""
+        return dict(self.to_dict().get("units", {}))
+
+    @property
+    def balls(self) -> list[Ball]:
+        """The balls in order, each with its radius, mass and velocity filled in."""
+        return [Ball(**ball) for ball in json.loads(self._native.balls())]
+
+    @property
+    def ball_ids(self) -> list[str]:
+        """The ids of the balls, in order."""
+        return [ball.id for ball in self.balls]
+
+    def value(self, path: str) -> Any:
+        """Give one value by its path, such as ``"balls.red.velocity[0]"``."""
+        return json.loads(self._native.value(path))
+
+    def with_values(self, values: Mapping[str, Any]) -> Scenario:
+        """Give a scenario with some values changed, each named by its path.
+
+        Examples
+        --------
+        >>> import carom
+        >>> faster = carom.load("midterm").with_values({"balls.red.velocity[0]": 3.1, "duration": 10})
+        >>> faster.value("balls.red.velocity[0]")
+        3.1
+        """
+        return type(self)._of(self._native.with_values(to_json(values)))
+
+    def outline(self) -> dict[str, Any]:
+        """Give what there is to draw of the table.
+
+        Returns
+        -------
+        dict
+            ``bounds`` is [x_min, y_min, x_max, y_max]; ``size`` the table's size; ``pieces`` a list of lines
+            (``start``, ``end``) and arcs (``center``, ``radius``, ``from_deg``, ``to_deg``), each with ``id``,
+            ``kind`` and ``part`` (``boundary`` or ``obstacle``).
+        """
+        outline: dict[str, Any] = json.loads(self._native.outline())
+        return outline
+
+    def run(
+        self,
+        *,
+        method: Method | Mapping[str, Any] | None = None,
+        duration: float | None = None,
+        collisions: int | None = None,
+        max_events: int | None = None,
+        record: Record | None = None,
+        until: str | Callable[[Event], bool] | None = None,
+    ) -> Run:
+        """Compute the run; what is given here goes before what the scenario says.
+
+        Parameters
+        ----------
+        method : Exact or Stepped, optional
+            How to compute it.
+        duration : float, optional
+            End at this time.
+        collisions : int, optional
+            End after this many collisions of balls with balls and cushions.
+        max_events : int, optional
+            End after this many events of any kind.
+        record : "all", "events" or "none", optional
+            What to keep.
+        until : str or callable, optional
+            End with the first event of this kind, or with the first event for which the function is true;
+            the run's status is then ``stopped``.
+
+        Raises
+        ------
+        ScenarioError
+            When the options do not fit the scenario.
+        SimulationError
+            When the run breaks one of its own invariants.
+        KeyboardInterrupt
+            On Ctrl-C; nothing of the run remains.
+        """
+        from carom.run import Run
+
+        options: dict[str, Any] = {"method": method, "duration": duration, "collisions": collisions}
+        options |= {"max_events": max_events, "record": record}
+        if callable(until):
+            return self._start(options).run_until_true(until)
+        return Run(self._native.run(options_json({**options, "until": until})))
+
+    def start(
+        self,
+        *,
+        method: Method | Mapping[str, Any] | None = None,
+        duration: float | None = None,
+        collisions: int | None = None,
+        max_events: int | None = None,
+        record: Record | None = None,
+    ) -> Simulation:
+        """Start a run that is taken one event at a time; the options are those of `run`."""
+        options: dict[str, Any] = {"method": method, "duration": duration, "collisions": collisions}
+        return self._start({**options, "max_events": max_events, "record": record})
+
+    def _start(self, options: Mapping[str, Any]) -> Simulation:
+        from carom.simulation import Simulation
+
+        return Simulation(self._native.start(options_json(options)))
+
+    def __eq__(self, other: object) -> bool:
+        return self.to_json() == other.to_json() if isinstance(other, Scenario) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.to_json())
+
+    def __reduce__(self) -> tuple[Callable[[str], Scenario], tuple[str]]:
+        return type(self).from_json, (self.to_json(),)
+
+    def __repr__(self) -> str:
+        return summary_of_scenario(self.to_dict())
+
+
+def load(source: str | os.PathLike[str]) -> Scenario:
+    """Load a scenario.
+
+    Parameters
+    ----------
+    source : str or path-like
+        The name of a ready-made scenario (`carom.scenarios` lists them); with a slash or a suffix, or as a path
+        object, the path of a ``.toml`` or ``.json`` file.
+
+    Raises
+    ------
+    ScenarioError
+        When there is no such scenario, naming the nearest ones, or when it does not hold together.
+    """
+    return Scenario.load(source)

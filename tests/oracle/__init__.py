@@ -1,0 +1,1 @@
+"""Independent oracles for the engine: slow, plain, and sharing no code with it."""

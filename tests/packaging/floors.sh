@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Runs the package's tests with the oldest Python packages it says it works with: floors.sh PYTHON FOLDER
+set -eu
+python=$1
+dist=$(realpath "$2")
+tests=$(realpath "$(dirname "$0")/..")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$python" -m venv "$work/environment"
+"$work/environment/bin/pip" install --quiet --constraint "$tests/packaging/floors.txt" \
+    "$(echo "$dist"/carom-*.whl)[data]" pytest hypothesis mpmath
+cp -r "$tests" "$work/tests"
+cp "$tests/../pyproject.toml" "$work"
+cd "$work"
+"$work/environment/bin/python" -m pytest tests -W default

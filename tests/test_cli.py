@@ -1,0 +1,349 @@
+"""The command line: what it prints, writes, refuses, and with which exit code."""
+
+import csv
+import io
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from contextlib import redirect_stderr, redirect_stdout
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import carom
+from carom.cli import main
+
+RUN_FILES = {"events.csv", "trajectory.csv", "run.json"}
+FIGURES = {"filmstrip", "paths", "energy", "speed", "momentum"}
+ESCAPE = "\x1b"
+
+
+@dataclass
+class Done:
+    code: object
+    stdout: str
+    stderr: str
+
+
+def shell(*words: object) -> Done:
+    """Give a command to the program, in this process: starting a new one for each test takes long."""
+    out, err = io.StringIO(), io.StringIO()
+    with pytest.MonkeyPatch.context() as patch, redirect_stdout(out), redirect_stderr(err):
+        patch.setattr(sys, "argv", ["carom", *map(str, words)])
+        with pytest.raises(SystemExit) as ended:
+            main()
+    return Done(ended.value.code or 0, out.getvalue(), err.getvalue())
+
+
+def fine(*words: object) -> str:
+    done = shell(*words)
+    assert (done.code, done.stderr) == (0, ""), done.stderr
+    return done.stdout
+
+
+def process(*words: object, **more: str) -> subprocess.CompletedProcess[str]:
+    """Give a command to the program in a process of its own."""
+    command = [sys.executable, "-m", "carom", *map(str, words)]
+    environment = {**os.environ, **more}
+    return subprocess.run(
+        command, capture_output=True, text=True, encoding="utf-8", env=environment, check=False
+    )
+
+
+def rows_of(path: Path) -> list[dict[str, str]]:
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def names_in(folder: Path) -> set[str]:
+    return {path.name for path in folder.iterdir()}
+
+
+# carom run
+
+
+def test_run_prints_events_and_diagnostics_and_writes_nothing(
+    tmp_path: Path, run: carom.Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    printed = fine("run", "midterm")
+    events, diagnostics = printed.split("\n\n")
+    head, *rows = [line.split("\t") for line in events.splitlines()]
+    assert head[:2] == ["time", "kind"]
+    assert [float(row[0]) for row in rows] == run.events["time"].tolist()
+    facts = dict(line.split("\t", 1) for line in diagnostics.splitlines())
+    assert facts["status"] == "time_limit"
+    assert facts["digest"] == run.digest
+    assert not names_in(tmp_path)
+
+
+def test_piped_output_has_no_colours(tmp_path: Path) -> None:
+    options = ("--out", tmp_path / "out", "--no-figures")
+    done = process("run", "midterm", *options, FORCE_COLOR="1", TERM="xterm-256color")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert ESCAPE not in done.stdout
+
+
+def test_run_writes_tables_figures_and_film(tmp_path: Path, run: carom.Run) -> None:
+    out = tmp_path / "deep" / "out"
+    fine("run", "midterm", "--out", out)
+    assert names_in(out) == RUN_FILES | {f"{name}.png" for name in FIGURES} | {"animation.gif"}
+    assert names_in(tmp_path) == {"deep"}
+    assert names_in(tmp_path / "deep") == {"out"}
+    assert carom.load_run(out / "run.json") == run
+    assert [float(row["time"]) for row in rows_of(out / "events.csv")] == run.events["time"].tolist()
+
+
+def test_files_keep_every_bit(tmp_path: Path, run: carom.Run) -> None:
+    fine("run", "midterm", "--sample", "0.25", "--out", tmp_path / "out", "--no-figures", "--no-animation")
+    rows = rows_of(tmp_path / "out" / "trajectory.csv")
+    assert len(rows) == 21
+    for row in rows:
+        x, y = run.positions(float(row["time"]))[1]
+        assert (float(row["blue.x"]), float(row["blue.y"])) == (x, y)
+
+
+def test_stepped_runs_write_their_steps(tmp_path: Path, stepped: carom.Run) -> None:
+    options = ("--method", "stepped", "--dt", "0.03", "--no-figures", "--no-animation")
+    fine("run", "midterm", *options, "--out", tmp_path / "out")
+    assert names_in(tmp_path / "out") == RUN_FILES | {"steps.csv"}
+    assert carom.load_run(tmp_path / "out" / "run.json").digest == stepped.digest
+    assert stepped.steps is not None
+    assert len(rows_of(tmp_path / "out" / "steps.csv")) == len(stepped.steps)
+
+
+def test_dt_alone_means_stepped(stepped: carom.Run) -> None:
+    assert json.loads(fine("run", "midterm", "--dt", "0.03", "--json"))["digest"] == stepped.digest
+
+
+def test_figures_come_in_the_formats_asked_for(tmp_path: Path) -> None:
+    fine("run", "midterm", "--out", tmp_path / "out", "--format", "svg,pdf", "--no-animation")
+    expected = {f"{name}.{kind}" for name in FIGURES for kind in ("svg", "pdf")}
+    assert names_in(tmp_path / "out") == RUN_FILES | expected
+
+
+def test_a_folder_that_holds_a_run_is_refused(tmp_path: Path) -> None:
+    options = ("run", "midterm", "--out", tmp_path / "out", "--no-animation", "--no-figures")
+    fine(*options)
+    before = (tmp_path / "out" / "run.json").stat().st_mtime_ns
+    refused = shell(*options, "--duration", "1")
+    assert (refused.code, refused.stdout) == (1, "")
+    assert refused.stderr.startswith("error: --out: ")
+    assert "--overwrite" in refused.stderr
+    assert (tmp_path / "out" / "run.json").stat().st_mtime_ns == before
+
+
+def test_overwriting_leaves_no_old_results_and_keeps_other_files(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    fine("run", "midterm", "--dt", "0.03", "--out", out, "--no-animation")
+    (out / "notes.txt").write_text("mine", encoding="utf-8")
+    fine("run", "midterm", "--out", out, "--no-animation", "--no-figures", "--overwrite")
+    assert names_in(out) == RUN_FILES | {"notes.txt"}
+    assert names_in(tmp_path) == {"out"}
+
+
+def test_set_changes_values() -> None:
+    printed = fine("run", "midterm", "--set", "balls.red.velocity[0]=0", "--set", "duration=0.4", "--json")
+    found = json.loads(printed)
+    assert found["end_time"] == 0.4
+    assert found["events"] == []
+
+
+def test_json_holds_the_run(run: carom.Run) -> None:
+    found = json.loads(fine("run", "midterm", "--json"))
+    assert found["status"] == "time_limit"
+    assert found["digest"] == run.digest
+    assert [event["time"] for event in found["events"]] == run.events["time"].tolist()
+    assert found["events"][3]["ball_b"] == "blue"
+    assert found["files"] == []
+
+
+def test_limits_end_a_run() -> None:
+    assert json.loads(fine("run", "midterm", "--collisions", "2", "--json"))["status"] == "collision_limit"
+    assert json.loads(fine("run", "midterm", "--max-events", "2", "--json"))["status"] == "event_limit"
+
+
+def test_an_event_budget_that_was_not_asked_for_is_no_success() -> None:
+    done = shell("run", "midterm", "--set", "max_events=2")
+    assert done.code == 1
+    assert done.stderr.startswith("error: run: ended by event_limit")
+
+
+def test_runs_that_kept_little_write_little(tmp_path: Path) -> None:
+    fine("run", "midterm", "--set", "record=events", "--out", tmp_path / "out")
+    assert names_in(tmp_path / "out") == {"events.csv", "run.json"}
+
+
+# Errors
+
+
+def test_every_problem_is_one_line_with_its_place() -> None:
+    done = shell("run", "midterm", "--set", "balls.red.radius=-1", "--set", "duration=-5")
+    assert (done.code, done.stdout) == (1, "")
+    lines = done.stderr.splitlines()
+    assert len(lines) == 2
+    assert all(line.startswith("error: ") for line in lines)
+    assert any("radius" in line for line in lines)
+    assert any("duration" in line for line in lines)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("run", "midtrem"),
+        ("run", "no/such/file.toml"),
+        ("run", "midterm", "--set", "balls.red.speeed=1"),
+        ("verify", "no/such/run.json"),
+        ("scenarios", "--copy", "nothing", "x.toml"),
+        ("compare", "no-such-scenario"),
+        ("bench", "no-such-scenario"),
+    ],
+)
+def test_problems_are_reported_line_by_line(
+    words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = shell(*words)
+    assert done.code == 1
+    assert all(line.startswith("error: ") for line in done.stderr.splitlines())
+    assert done.stderr
+    assert not names_in(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("run",),
+        ("run", "midterm", "--dt"),
+        ("run", "midterm", "--set", "duration"),
+        ("run", "midterm", "--method", "guess"),
+        ("run", "midterm", "--method", "stepped"),
+        ("run", "midterm", "--method", "exact", "--dt", "0.1"),
+        ("run", "midterm", "--format", "bmp"),
+        ("run", "midterm", "--sample", "0"),
+        ("compare", "midterm", "--dt", "0.1,-1"),
+        ("fly",),
+    ],
+)
+def test_wrong_usage_exits_with_2(words: tuple[str, ...]) -> None:
+    assert shell(*words).code == 2
+
+
+def test_a_process_of_its_own_exits_with_the_same_codes() -> None:
+    assert process("check", "midterm").returncode == 0
+    wrong = process("check", "midtrem")
+    assert (wrong.returncode, wrong.stdout) == (1, "")
+    assert wrong.stderr.startswith("error: ")
+    assert "Traceback" not in wrong.stderr
+    assert process("check").returncode == 2
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are sent differently there")
+def test_an_interrupted_run_leaves_nothing_and_exits_with_130(tmp_path: Path) -> None:
+    words = ["run", "midterm", "--set", "duration=400", "--out", str(tmp_path / "out"), "--no-figures"]
+    child = subprocess.Popen(
+        [sys.executable, "-m", "carom", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    deadline = time.monotonic() + 60.0
+    while not list(tmp_path.glob(".out.*/.animation.*.gif")) and time.monotonic() < deadline:
+        time.sleep(0.02)
+    child.send_signal(signal.SIGINT)
+    printed, said = child.communicate(timeout=60)
+    assert child.returncode == 130
+    assert printed == ""
+    assert said.startswith("interrupted")
+    assert len(said.splitlines()) == 1
+    assert not names_in(tmp_path)
+
+
+# The other commands
+
+
+def test_compare_shows_first_order_convergence(tmp_path: Path) -> None:
+    found = json.loads(fine("compare", "midterm", "--dt", "0.001,0.0003,0.0001", "--json"))
+    assert found["exact_events"] == 12
+    assert [row["missed"] for row in found["steps"]] == [0, 0, 0]
+    assert found["order"] == pytest.approx(1.0, abs=0.35)
+    assert not names_in(tmp_path)
+
+
+def test_compare_writes_its_table_and_figure(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    fine("compare", "midterm", "--dt", "0.03,0.01", "--out", out, "--format", "png,pdf")
+    assert names_in(out) == {"comparison.csv", "errors.png", "errors.pdf"}
+    assert [float(row["dt"]) for row in rows_of(out / "comparison.csv")] == [0.03, 0.01]
+    assert shell("compare", "midterm", "--dt", "0.1", "--out", out).code == 1
+
+
+def test_check_lists_every_problem(tmp_path: Path) -> None:
+    assert "no problems" in fine("check", "midterm")
+    text = carom.load("midterm").to_toml().replace("0.075", "-0.075")
+    path = tmp_path / "wrong.toml"
+    path.write_text(text, encoding="utf-8")
+    done = shell("check", path)
+    assert done.code == 1
+    assert done.stderr.startswith("error: ")
+    found = json.loads(shell("check", path, "--json").stdout)
+    assert not found["sound"]
+    assert all("radius" in problem["place"] for problem in found["problems"])
+
+
+def test_verify_says_whether_the_bits_are_the_same(tmp_path: Path, run: carom.Run) -> None:
+    path = tmp_path / "run.json"
+    run.save(path)
+    assert "same bits" in fine("verify", path)
+    assert json.loads(fine("verify", path, "--json"))["same"] is True
+    time_of_contact = repr(float(run.events["time"][3]))
+    moved = repr(float(np.nextafter(run.events["time"][3], 1.0)))
+    text = path.read_text(encoding="utf-8")
+    assert time_of_contact in text
+    path.write_text(text.replace(time_of_contact, moved), encoding="utf-8")
+    done = shell("verify", path)
+    assert done.code == 1
+    assert done.stderr.startswith("error: ")
+
+
+def test_scenarios_are_listed_and_copied(tmp_path: Path) -> None:
+    listed = [line.split("\t")[0] for line in fine("scenarios").splitlines()]
+    assert listed == ["name", *carom.scenarios()]
+    for name in ("mine.toml", "mine.json"):
+        fine("scenarios", "--copy", "midterm", tmp_path / name)
+        assert carom.load(tmp_path / name) == carom.load("midterm")
+    assert shell("scenarios", "--copy", "midterm", tmp_path / "mine.toml").code == 1
+    fine("scenarios", "--copy", "midterm", tmp_path / "mine.toml", "--overwrite")
+
+
+def test_schema_is_json() -> None:
+    assert json.loads(fine("schema")) == json.loads(carom.schema())
+
+
+def test_bench_gives_a_median(tmp_path: Path) -> None:
+    (row,) = json.loads(fine("bench", "midterm", "--repeats", "3", "--json"))
+    assert row["scenario"] == "midterm"
+    assert row["events"] == 12
+    assert row["median_s"] > 0
+
+
+def test_version_and_help() -> None:
+    assert fine("--version").strip() == f"carom {carom.__version__}"
+    for command in ("run", "compare", "check", "verify", "scenarios", "schema", "bench"):
+        printed = fine(command, "--help")
+        assert f"carom {command}" in printed.split("For example:")[1]
+        assert ESCAPE not in printed
+
+
+def test_help_loads_nothing_heavy() -> None:
+    code = (
+        "import sys, runpy; sys.argv = ['carom', '--help']\n"
+        "try: runpy.run_module('carom', run_name='__main__')\n"
+        "except SystemExit: pass\n"
+        "heavy = ('numpy', 'matplotlib', 'carom._engine')\n"
+        "print([name for name in heavy if name in sys.modules], file=sys.stderr)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stderr.strip() == "[]"

@@ -1,0 +1,364 @@
+"""The figures show what the run holds, where it is, and leave matplotlib as they found it."""
+
+import itertools
+import subprocess
+import sys
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle, FancyArrowPatch, PathPatch
+from numpy.typing import NDArray
+
+import carom
+from carom import figures
+from carom.comparison import compare
+from carom.figures.scene import Scene
+from carom.figures.style import PALETTE, ball_colours
+from carom.figures.table import arrow_scale, draw_table, table_contains, table_loops
+
+DRAWINGS = [figures.plot_paths, figures.plot_energy, figures.plot_speed, figures.plot_momentum]
+
+
+def discs_of(ax: Axes, *, filled: bool = True) -> list[Circle]:
+    discs = [patch for patch in ax.patches if isinstance(patch, Circle)]
+    return [disc for disc in discs if (disc.get_facecolor()[3] > 0) == filled]
+
+
+def arrows_of(ax: Axes, *, faint: bool = False) -> list[FancyArrowPatch]:
+    arrows = [patch for patch in ax.patches if isinstance(patch, FancyArrowPatch)]
+    return [arrow for arrow in arrows if (arrow.get_linestyle() not in ("solid", "-")) == faint]
+
+
+def centres_of(ax: Axes, *, filled: bool = True) -> NDArray[np.float64]:
+    return np.array([disc.center for disc in discs_of(ax, filled=filled)])
+
+
+def drawn(axes: Axes | list[Axes]) -> Figure:
+    figure = figures.figure_of(axes)
+    figure.canvas.draw()
+    return figure
+
+
+@pytest.fixture(scope="module")
+def stadium() -> carom.Run:
+    pieces = [
+        {"line": [[0, 0], [1, 0]]},
+        {"arc": {"center": [1, 0.5], "radius": 0.5, "from_deg": -90, "to_deg": 90}},
+        {"line": [[1, 1], [0, 1]]},
+        {"arc": {"center": [0, 0.5], "radius": 0.5, "from_deg": 90, "to_deg": 270}},
+    ]
+    obstacle = {"circle": {"center": [0.5, 0.5], "radius": 0.1}}
+    point = carom.Ball("p", radius=0.0, position=(0.3, 0.2), velocity=(0.8, 0.6))
+    table = {"shape": "path", "pieces": pieces, "obstacles": [obstacle]}
+    return carom.Scenario(table, [point], duration=6).run()
+
+
+# Filmstrips
+
+
+def test_exact_frames_are_equal_times_apart_with_the_event_in_the_middle(run: carom.Run) -> None:
+    contact = run.events.by_kind("ball_ball")[0]
+    axes = run.filmstrip()
+    assert len(axes) == 3
+    places = [centres_of(ax) for ax in axes]
+    np.testing.assert_array_equal(places[1], run.positions(contact.time))
+    spacings = np.linspace(0.0, 0.2, 20001)
+    before = run.positions(contact.time - spacings)[:, 0]
+    spacing = spacings[np.argmin(np.linalg.norm(before - places[0][0], axis=1))]
+    np.testing.assert_allclose(places[0], run.positions(contact.time - spacing), atol=1e-4)
+    np.testing.assert_allclose(places[2], run.positions(contact.time + spacing), atol=1e-4)
+
+
+def test_exact_balls_are_apart_before_and_after_and_on_the_flights_that_meet(run: carom.Run) -> None:
+    contact = run.events.by_kind("ball_ball")[0]
+    before, at, after = (np.linalg.norm(np.diff(centres_of(ax), axis=0)) for ax in run.filmstrip())
+    assert at == pytest.approx(0.15, abs=1e-12)
+    assert min(before, after) > 0.15 + 0.075
+    times = run.events["time"]
+    last, following = times[times < contact.time].max(), times[times > contact.time].min()
+    red_before = centres_of(run.filmstrip()[0])[0]
+    fraction = (run.positions(contact.time)[0] - red_before) / run.velocities(last)[0]
+    assert 0 < fraction[0] < contact.time - last
+    assert fraction[0] == pytest.approx(fraction[1])
+    assert following > contact.time
+
+
+def test_stepped_frames_are_the_schemes_own(stepped: carom.Run) -> None:
+    assert stepped.steps is not None
+    contact = stepped.events.by_kind("ball_ball")[0]
+    steps = stepped.steps["time"]
+    k = int(np.flatnonzero(steps < contact.time)[-1])
+    before, at, after = (centres_of(ax) for ax in stepped.filmstrip())
+    np.testing.assert_array_equal(before, stepped.positions(steps[k]))
+    np.testing.assert_array_equal(at, stepped.positions(contact.time))
+    np.testing.assert_array_equal(after, stepped.positions(steps[k + 2]))
+    np.testing.assert_array_equal(stepped.positions(steps[k + 1]), at)
+
+
+@pytest.mark.parametrize("frames", [3, 5])
+def test_titles_say_time_and_moment(run: carom.Run, frames: int) -> None:
+    axes = run.filmstrip(frames=frames)
+    titles = [ax.get_title() for ax in axes]
+    middle = frames // 2
+    assert "0.8647" in titles[middle]
+    assert "collision" in titles[middle]
+    assert all("before" in title for title in titles[:middle])
+    assert all("after" in title for title in titles[middle + 1 :])
+    drawn(axes)
+    renderer = FigureCanvasAgg(figures.figure_of(axes)).get_renderer()
+    boxes = [ax.title.get_window_extent(renderer) for ax in axes]
+    assert all(one.x1 < other.x0 for one, other in itertools.pairwise(boxes))
+
+
+def test_units_stand_in_titles_and_at_axes(midterm: carom.Scenario) -> None:
+    run = midterm.with_values({"units": {"length": "m", "time": "s", "mass": "kg"}}).run()
+    assert "0.8647 s" in run.filmstrip()[1].get_title()
+    assert run.plot_paths().get_xlabel() == "x (m)"
+    assert run.plot_energy().get_ylabel() == "energy (J)"
+    assert run.plot_speed().get_ylabel() == "speed (m/s)"
+    assert run.plot_momentum().get_ylabel() == "momentum (kg m/s)"
+
+
+def test_every_moving_ball_has_one_arrow_and_a_resting_one_none(run: carom.Run) -> None:
+    before, at, after = run.filmstrip()
+    assert [len(arrows_of(ax)) for ax in (before, at, after)] == [1, 2, 2]
+    assert len(arrows_of(at, faint=True)) == 1
+    assert [len(arrows_of(ax)) for ax in run.filmstrip(arrows=False)] == [0, 0, 0]
+
+
+def test_arrows_start_at_centres_and_their_tips_lie_on_the_cloth(run: carom.Run) -> None:
+    for event in run.events:
+        for ax in run.filmstrip(event):
+            for arrow in arrows_of(ax):
+                (tail, tip) = (np.array(place) for place in arrow._posA_posB)  # type: ignore[attr-defined]
+                assert np.linalg.norm(centres_of(ax) - tail, axis=1).min() < 1e-12
+                assert np.all((tip > 0) & (tip < [1, 2]))
+
+
+def test_the_contact_frame_has_a_normal_and_a_tangent(run: carom.Run) -> None:
+    axes = run.filmstrip()
+    assert [[text.get_text() for text in ax.texts] for ax in axes] == [[], ["n", "t"], []]
+    assert all(not ax.texts for ax in run.filmstrip(contact_axes=False))
+
+
+def test_a_filmstrip_can_show_any_event_of_any_table(run: carom.Run, stadium: carom.Run) -> None:
+    for shown in (run, stadium):
+        for event in shown.events:
+            axes = shown.filmstrip(event)
+            np.testing.assert_allclose(centres_of(axes[1]), shown.positions(event.time), atol=1e-12)
+
+
+def test_an_event_at_the_end_of_its_run_can_be_shown(midterm: carom.Scenario) -> None:
+    run = midterm.run(collisions=4)
+    axes = run.filmstrip(run.events[3])
+    np.testing.assert_array_equal(centres_of(axes[1]), centres_of(axes[2]))
+    assert np.linalg.norm(np.diff(centres_of(axes[0]), axis=0)) > 0.2
+
+
+def test_what_cannot_be_shown_is_refused(run: carom.Run, midterm: carom.Scenario) -> None:
+    with pytest.raises(ValueError, match="odd"):
+        run.filmstrip(frames=4)
+    with pytest.raises(ValueError, match="one axes for each"):
+        run.filmstrip(axes=[Figure().add_subplot()])
+    with pytest.raises(ValueError, match="no event"):
+        midterm.run(duration=0.1).filmstrip()
+
+
+# Paths
+
+
+def test_paths_go_from_rings_to_discs(run: carom.Run) -> None:
+    ax = run.plot_paths()
+    np.testing.assert_array_equal(centres_of(ax), run.positions(run.end_time))
+    np.testing.assert_array_equal(centres_of(ax, filled=False)[:2], run.positions(0.0))
+    assert [disc.radius for disc in discs_of(ax)] == [0.075, 0.075]
+
+
+def test_paths_pass_through_every_place_where_a_ball_turned(run: carom.Run) -> None:
+    lines = run.plot_paths().lines
+    for ball, name in enumerate(run.ball_ids):
+        turns = run.positions(run.events.by_ball(name)["time"])[:, ball]
+        path = np.stack(lines[ball].get_data(), axis=1)
+        for turn in turns:
+            assert np.linalg.norm(path - turn, axis=1).min() == 0.0
+
+
+def test_collisions_are_marked_at_their_places_and_numbered_in_order(run: carom.Run) -> None:
+    ax = run.plot_paths()
+    marks = [line for line in ax.lines if line.get_linestyle() == "None"]
+    assert {line.get_marker() for line in marks} == {"o", "D"}
+    places = np.concatenate([np.stack(line.get_data(), axis=1) for line in marks])
+    expected = np.stack([run.events["x"], run.events["y"]], axis=1)
+    np.testing.assert_array_equal(np.sort(places, axis=0), np.sort(expected, axis=0))
+    assert sorted(int(text.get_text()) for text in ax.texts) == list(range(1, len(run.events) + 1))
+
+
+def test_numbers_cover_neither_each_other_nor_the_marks(run: carom.Run) -> None:
+    ax = run.plot_paths()
+    renderer = FigureCanvasAgg(drawn(ax)).get_renderer()
+    boxes = [text.get_window_extent(renderer) for text in ax.texts]
+    pairs = [(a, b) for k, a in enumerate(boxes) for b in boxes[k + 1 :]]
+    assert not any(a.overlaps(b) for a, b in pairs)
+    marks = ax.transData.transform(np.stack([run.events["x"], run.events["y"]], axis=1))
+    assert not any(box.contains(*mark) for box in boxes for mark in marks)
+
+
+def test_many_events_are_not_numbered(run: carom.Run) -> None:
+    assert not run.resume(duration=60.0).plot_paths().texts
+    assert not run.plot_paths(numbers=False).texts
+
+
+# Curves against time
+
+
+def test_energy_is_drawn_with_its_jumps(run: carom.Run) -> None:
+    total = next(line for line in run.plot_energy().lines if line.get_label() == "total")
+    times, energy = (np.asarray(values) for values in total.get_data())
+    np.testing.assert_array_equal(energy, run.energy(times))
+    for time in run.events.by_kind("ball_cushion")["time"]:
+        at = int(np.searchsorted(times, time))
+        assert times[at] == time
+        assert times[at - 1] == np.nextafter(time, -np.inf)
+        assert energy[at] < energy[at - 1]
+
+
+def test_speed_and_momentum_are_the_runs(run: carom.Run) -> None:
+    for line, ball in zip(run.plot_speed().lines, range(2), strict=False):
+        times = np.asarray(line.get_xdata())
+        speed = np.linalg.norm(run.velocities(times)[:, ball], axis=-1)
+        np.testing.assert_array_equal(np.asarray(line.get_ydata()), speed)
+    for line, axis in zip(run.plot_momentum().lines, range(2), strict=False):
+        times = np.asarray(line.get_xdata())
+        np.testing.assert_array_equal(np.asarray(line.get_ydata()), run.momentum(times)[:, axis])
+
+
+@pytest.mark.parametrize("draw", DRAWINGS[1:])
+def test_every_event_has_a_tick_by_its_kind(run: carom.Run, draw: "type[figures.plot_energy]") -> None:
+    ax = draw(run)
+    ticks = {str(each.get_label()): len(each.get_paths()) for each in ax.collections}
+    kinds = run.events["kind"].tolist()
+    assert ticks == {"cushion": kinds.count("ball_cushion"), "ball-ball": kinds.count("ball_ball")}
+
+
+@pytest.mark.parametrize("draw", DRAWINGS[1:])
+def test_legends_do_not_cover_the_curves(run: carom.Run, draw: "type[figures.plot_energy]") -> None:
+    ax = draw(run)
+    renderer = FigureCanvasAgg(drawn(ax)).get_renderer()
+    legend = ax.get_legend()
+    assert legend is not None
+    assert legend.get_window_extent(renderer).y0 >= ax.get_window_extent(renderer).y1 - 1.0
+
+
+# The comparison of methods
+
+
+def test_errors_are_drawn_on_two_logarithmic_scales(midterm: carom.Scenario) -> None:
+    comparison = compare(midterm, [0.03, 0.01, 0.001])
+    ax = figures.plot_errors(comparison)
+    assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
+    marked = [line for line in ax.lines if line.get_marker() == "o"]
+    shown = sorted(float(x) for line in marked for x in np.asarray(line.get_xdata()))
+    assert shown == [0.001, 0.01, 0.03]
+
+
+# Tables
+
+
+def test_tables_keep_their_proportions(run: carom.Run, stadium: carom.Run) -> None:
+    for shown in (run, stadium):
+        for ax in (*shown.filmstrip(), shown.plot_paths()):
+            assert ax.get_aspect() == 1.0
+            drawn(ax)
+            (x0, y0), (x1, y1) = ax.transData.transform([[0.0, 0.0], [1.0, 1.0]])
+            assert x1 - x0 == pytest.approx(y1 - y0)
+
+
+def test_a_boundary_of_lines_and_arcs_is_one_closed_path_with_its_obstacles(stadium: carom.Run) -> None:
+    scene = Scene.of(stadium.scenario)
+    loops = table_loops(scene)
+    assert [part for part, _ in loops] == ["boundary", "obstacle"]
+    inside = table_contains(scene)
+    assert inside(np.array([[0.0, 0.5], [1.45, 0.5], [-0.45, 0.5], [0.5, 0.1]]))
+    for outside in ([1.4, 0.95], [0.5, 0.5], [0.5, 1.1], [-0.4, 0.05]):
+        assert not inside(np.array([outside]))
+    ax = Figure().add_subplot()
+    draw_table(ax, scene)
+    assert len([patch for patch in ax.patches if isinstance(patch, PathPatch)]) == 4
+
+
+def test_arrows_of_resting_balls_have_no_scale(run: carom.Run) -> None:
+    scene = Scene.of(run.scenario)
+    assert arrow_scale(scene, [(np.ones((2, 2)), np.zeros((2, 2)))], 1.0) == 0.0
+
+
+def test_a_point_is_drawn_large_enough_to_be_seen(stadium: carom.Run) -> None:
+    assert discs_of(stadium.plot_paths())[0].radius > 0.0
+
+
+# Colours
+
+
+def test_colours_come_from_the_scenario_then_the_name_then_the_palette() -> None:
+    chosen = ball_colours(["red", "8", "9", "x"], [None, "gold", (1.0, 0.0, 0.5), None])
+    assert chosen[0] == PALETTE[0]
+    assert chosen[1] == "#ffd700"
+    np.testing.assert_allclose(to_rgb(chosen[2]), (1.0, 0.0, 0.5), atol=1 / 255)
+    assert chosen[3] == PALETTE[1]
+
+
+def test_palette_cycles() -> None:
+    assert ball_colours([str(k) for k in range(20)], [None] * 20)[8:16] == list(PALETTE)
+
+
+# Manners
+
+
+@pytest.mark.parametrize("draw", DRAWINGS)
+def test_figures_draw_on_the_given_axes_and_return_them(
+    run: carom.Run, draw: "type[figures.plot_energy]"
+) -> None:
+    ax = Figure().add_subplot()
+    assert draw(run, ax=ax) is ax
+    assert ax.lines
+
+
+def test_filmstrip_draws_on_the_given_axes(run: carom.Run) -> None:
+    given = list(Figure().subplots(1, 3))
+    assert run.filmstrip(axes=given) == given
+
+
+def test_global_settings_and_pyplot_are_left_alone(run: carom.Run, tmp_path: Path) -> None:
+    before = dict(matplotlib.rcParams)
+    for draw in DRAWINGS:
+        figures.save_figure(figures.figure_of(draw(run)), tmp_path / "figure.pdf")
+    figures.save_figure(figures.figure_of(run.filmstrip()), tmp_path / "filmstrip.svg")
+    assert dict(matplotlib.rcParams) == before
+
+
+def test_figures_need_no_pyplot_and_no_display() -> None:
+    code = (
+        "import sys, carom; run = carom.load('midterm').run()\n"
+        "run.filmstrip(); run.plot_paths(); run.plot_energy()\n"
+        "print('matplotlib.pyplot' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
+    assert done.stdout.strip() == "False"
+
+
+@pytest.mark.parametrize("kind", figures.FORMATS)
+def test_figures_save_and_the_same_figure_gives_the_same_file(
+    run: carom.Run, tmp_path: Path, kind: str
+) -> None:
+    one, other = (
+        figures.save_figure(figures.figure_of(run.filmstrip()), tmp_path / f"{name}.{kind}") for name in "ab"
+    )
+    magic = {"png": b"\x89PNG", "pdf": b"%PDF", "svg": b"<?xml"}[kind]
+    assert one.read_bytes().startswith(magic)
+    assert one.read_bytes() == other.read_bytes()
+    assert sorted(path.name for path in tmp_path.iterdir()) == [f"a.{kind}", f"b.{kind}"]

@@ -1,0 +1,169 @@
+"""Runs: what they hold and what they can be asked."""
+
+import copy
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import carom
+
+
+def test_run_says_how_it_ended(midterm: carom.Scenario, run: carom.Run) -> None:
+    assert (run.status, run.end_time) == ("time_limit", 5.0)
+    short = midterm.run(collisions=3)
+    assert (short.status, len(short.events)) == ("collision_limit", 3)
+    assert midterm.run(max_events=2).status == "event_limit"
+
+
+def test_until_a_kind_of_event(midterm: carom.Scenario, run: carom.Run) -> None:
+    stopped = midterm.run(until="ball_ball")
+    assert stopped.status == "stopped"
+    assert stopped.events[-1] == run.events.by_kind("ball_ball")[0]
+
+
+def test_until_a_condition_on_an_event(midterm: carom.Scenario, run: carom.Run) -> None:
+    stopped = midterm.run(until=lambda event: event.cushion == "left")
+    assert stopped.status == "stopped"
+    assert stopped.events[-1] == run.events.by_cushion("left")[0]
+    assert midterm.run(until=lambda event: False) == run
+
+
+def test_arrays_have_time_ball_and_axis(run: carom.Run) -> None:
+    times = np.linspace(0, 5, 7)
+    assert run.positions(times).shape == run.velocities(times).shape == (7, 2, 2)
+    assert run.positions(1.5).shape == (2, 2)
+    assert run.energy(times).shape == (7,)
+    assert run.energy(1.5).shape == ()
+    assert run.momentum(times).shape == (7, 2)
+    assert run.positions([]).shape == (0, 2, 2)
+
+
+def test_times_may_come_in_any_order_and_layout(run: carom.Run) -> None:
+    times = np.linspace(0, 5, 20)
+    backwards = run.positions(times[::-1])
+    assert np.array_equal(backwards[::-1], run.positions(times))
+    assert np.array_equal(run.positions([0, 1]), run.positions(np.array([0.0, 1.0])))
+
+
+def test_start_is_what_the_scenario_says(run: carom.Run) -> None:
+    assert run.positions(0.0).tolist() == [[0.1, 0.1], [0.5, 1.0]]
+    assert run.velocities(0.0).tolist() == [[3.0, 4.0], [0.0, 0.0]]
+    assert run.energy(0.0) == 12.5
+    assert run.momentum(0.0).tolist() == [3.0, 4.0]
+
+
+def test_state_at_an_event_is_the_one_after_it(run: carom.Run) -> None:
+    event = run.events.by_kind("ball_ball")[0]
+    before, after = run.velocities([np.nextafter(event.time, 0), event.time])
+    assert before[1].tolist() == [0.0, 0.0]
+    assert after[1].tolist() != [0.0, 0.0]
+
+
+@pytest.mark.parametrize("time", [-0.1, 5.0000001, np.nan, np.inf])
+def test_time_outside_the_run_is_an_error(run: carom.Run, time: float) -> None:
+    with pytest.raises(carom.RunError, match="outside the run"):
+        run.positions([1.0, time])
+
+
+def test_what_was_not_kept_is_an_error(midterm: carom.Scenario, run: carom.Run) -> None:
+    events_only = midterm.run(record="events")
+    assert events_only.events == run.events
+    with pytest.raises(carom.RunError, match="kept no flights"):
+        events_only.positions([1.0])
+    with pytest.raises(carom.RunError, match="kept no events"):
+        midterm.run(record="none").events  # noqa: B018
+    assert midterm.run(record="none").digest == run.digest
+
+
+def test_trajectory_is_states_as_columns(run: carom.Run) -> None:
+    times = run.sample_times(0.7)
+    table = run.trajectory(times)
+    assert table.names == ["time"] + [f"{b}.{c}" for b in ("red", "blue") for c in ("x", "y", "vx", "vy")]
+    assert np.array_equal(table["blue.vy"], run.velocities(times)[:, 1, 1])
+
+
+def test_sample_times_end_with_the_run(run: carom.Run) -> None:
+    assert run.sample_times(2).tolist() == [0, 2, 4, 5]
+    assert run.sample_times(2.5).tolist() == [0, 2.5, 5]
+    assert run.sample_times(9).tolist() == [0, 5]
+    with pytest.raises(ValueError, match="step: must be positive"):
+        run.sample_times(0)
+
+
+def test_diagnostics_count_the_events(run: carom.Run) -> None:
+    counts = run.diagnostics["events"]
+    assert counts["ball_ball"] == len(run.events.by_kind("ball_ball"))
+    assert sum(counts.values()) == len(run.events)
+
+
+def test_scenario_of_a_run_has_its_options_in_it(midterm: carom.Scenario) -> None:
+    run = midterm.run(method=carom.Stepped(dt=0.03), duration=1, collisions=99)
+    assert run.scenario.value("method") == {"kind": "stepped", "dt": 0.03}
+    assert (run.scenario.value("duration"), run.scenario.value("collisions")) == (1, 99)
+    assert run.scenario.run() == run
+
+
+def test_steps_of_a_stepped_run_are_a_table(stepped: carom.Run, run: carom.Run) -> None:
+    assert run.steps is None
+    steps = stepped.steps
+    assert steps is not None
+    assert steps.names[:7] == ["step", "time", "red.x", "red.y", "red.vx", "red.vy", "red.hit"]
+    assert steps["step"].tolist() == list(range(168))
+    assert steps["time"][-1] == 5.0
+    assert set(steps["red.hit"]) == {None, "ball_ball", "ball_cushion"}
+    states = np.stack([steps["blue.x"], steps["blue.y"]], axis=1)
+    assert np.array_equal(stepped.positions(steps["time"])[:, 1], states)
+
+
+def test_stepped_run_reports_its_lost_time(stepped: carom.Run) -> None:
+    assert stepped.diagnostics["lost_time"] > 0
+
+
+def test_saved_run_is_the_same_run(run: carom.Run, stepped: carom.Run, tmp_path: Path) -> None:
+    for one in (run, stepped):
+        one.save(tmp_path / "run.json")
+        again = carom.load_run(tmp_path / "run.json")
+        assert again == one
+        assert (again.digest, again.status, again.events) == (one.digest, one.status, one.events)
+        assert again.scenario == one.scenario
+
+
+def test_run_pickles_and_copies(run: carom.Run) -> None:
+    assert pickle.loads(pickle.dumps(run)) == run
+    assert copy.deepcopy(run) == run
+    assert run != run.scenario.run(duration=4)
+
+
+def test_verify_says_same_bits(run: carom.Run, stepped: carom.Run, midterm: carom.Scenario) -> None:
+    for one in (run, stepped, midterm.run(until="ball_ball"), midterm.run(record="none")):
+        assert one.verify()
+        assert one.verify().difference is None
+
+
+def test_verify_names_the_first_difference(run: carom.Run) -> None:
+    from carom import _engine
+
+    text = run.to_json()
+    time = repr(float(run.events["time"][2]))
+    assert time in text
+    changed = carom.Run(
+        _engine.Run.from_json(text.replace(time, repr(np.nextafter(float(time), 9).item()), 1))
+    )
+    found = changed.verify()
+    assert not found
+    assert found.difference is not None
+    assert found.difference["place"] == "events[2].time"
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"format": 99}', '{"format": 1}'])
+def test_text_that_is_no_run_is_an_error(text: str, tmp_path: Path) -> None:
+    (tmp_path / "run.json").write_text(text, encoding="utf-8")
+    with pytest.raises(carom.RunError, match="saved"):
+        carom.load_run(tmp_path / "run.json")
+
+
+def test_repr_fits_one_screen(run: carom.Run) -> None:
+    assert repr(run).splitlines()[:3] == ["Run", "  status: time_limit", "  end time: 5"]
+    assert len(repr(run).splitlines()) < 12

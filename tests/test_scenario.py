@@ -1,0 +1,123 @@
+"""Scenarios: ways to make one, and what one can be asked."""
+
+import copy
+import json
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import carom
+
+
+def _by_hand() -> carom.Scenario:
+    return carom.Scenario(
+        carom.Table.rectangle(width=1, length=2),
+        [
+            carom.Ball("red", radius=0.075, position=(0.1, 0.1), velocity=(3, 4)),
+            carom.Ball("blue", radius=0.075, position=(0.5, 1)),
+        ],
+        physics=carom.Physics(ball_ball=carom.Elastic(), ball_cushion=carom.Damping(0.8)),
+        duration=5,
+    )
+
+
+@pytest.mark.parametrize("name", carom.scenarios())
+def test_ready_made_scenario_survives_every_round_trip(name: str, tmp_path: Path) -> None:
+    scenario = carom.load(name)
+    scenario.save(tmp_path / "s.toml")
+    scenario.save(tmp_path / "s.json")
+    again = [
+        carom.Scenario.from_toml(scenario.to_toml()),
+        carom.Scenario.from_json(scenario.to_json()),
+        carom.Scenario.from_dict(scenario.to_dict()),
+        carom.load(tmp_path / "s.toml"),
+        carom.load(str(tmp_path / "s.json")),
+        pickle.loads(pickle.dumps(scenario)),
+        copy.copy(scenario),
+        copy.deepcopy(scenario),
+    ]
+    assert again == [scenario] * len(again)
+    assert {hash(other) for other in again} == {hash(scenario)}
+
+
+def test_scenario_written_in_python_gives_the_run_of_the_file(run: carom.Run) -> None:
+    assert _by_hand().run().digest == run.digest
+
+
+def test_numpy_values_are_as_good_as_python_ones() -> None:
+    values = _by_hand().to_dict()
+    values["balls"][0]["velocity"] = np.array([3.0, 4.0])
+    values["duration"] = np.float32(5)
+    assert carom.Scenario.from_dict(values) == _by_hand()
+
+
+def test_with_values_changes_a_new_scenario_only(midterm: carom.Scenario) -> None:
+    before = midterm.to_json()
+    variant = midterm.with_values({"balls.red.velocity[0]": 3.1, "duration": 10})
+    assert midterm.to_json() == before
+    assert variant != midterm
+    assert variant.value("balls.red.velocity[0]") == 3.1
+    assert variant.value("balls[0].velocity") == [3.1, 4.0]
+    assert variant.value("duration") == 10
+    assert variant.with_values({"balls[0].velocity[0]": 3, "duration": 5}) == midterm
+
+
+def test_attributes_cannot_be_added(midterm: carom.Scenario) -> None:
+    with pytest.raises(AttributeError):
+        midterm.duration = 3  # type: ignore[attr-defined]
+
+
+def test_balls_are_complete(midterm: carom.Scenario) -> None:
+    red, blue = midterm.balls
+    assert (red.id, red.radius, red.mass, red.velocity) == ("red", 0.075, 1.0, [3.0, 4.0])
+    assert blue.velocity == [0.0, 0.0]
+    assert midterm.ball_ids == ["red", "blue"]
+
+
+def test_outline_tells_every_cushion_and_obstacle() -> None:
+    table = carom.Table.rectangle(
+        width=2,
+        length=1,
+        obstacles=[carom.Circle((0.5, 0.5), 0.1, "pillar"), carom.Wall((1, 0.2), (1, 0.8), "fence")],
+    )
+    outline = carom.Scenario(table, [carom.Ball("a", radius=0, position=(0.1, 0.1))], duration=1).outline()
+    assert (outline["bounds"], outline["size"]) == ([0, 0, 2, 1], 2)
+    assert [(piece["id"], piece["part"], piece["kind"]) for piece in outline["pieces"]] == [
+        ("bottom", "boundary", "line"),
+        ("right", "boundary", "line"),
+        ("top", "boundary", "line"),
+        ("left", "boundary", "line"),
+        ("pillar", "obstacle", "arc"),
+        ("fence.a", "obstacle", "line"),
+        ("fence.b", "obstacle", "line"),
+    ]
+
+
+def test_path_of_lines_and_arcs_makes_a_stadium() -> None:
+    pieces = [
+        carom.Line((0, 0), (1, 0), id="front"),
+        carom.Arc((1, 0.5), 0.5, from_deg=-90, to_deg=90),
+        carom.Line((1, 1), (0, 1)),
+        carom.Arc((0, 0.5), 0.5, from_deg=90, to_deg=270),
+    ]
+    ball = carom.Ball("a", radius=0.05, position=(0.5, 0.5), speed=1, direction_deg=20)
+    scenario = carom.Scenario(carom.Table.path(pieces), [ball], duration=20)
+    assert scenario.outline()["bounds"] == [-0.5, 0, 1.5, 1]
+    assert set(scenario.run().events["cushion"]) == {"front", "1", "2", "3"}
+
+
+def test_repr_fits_one_screen() -> None:
+    grid = [carom.Ball(f"ball {k}", radius=0.01, position=(0.1 + k % 20, 0.1 + k // 20)) for k in range(400)]
+    for name in carom.scenarios():
+        lines = repr(carom.load(name)).splitlines()
+        assert len(lines) < 24
+    lines = repr(carom.Scenario(carom.Table.rectangle(width=20, length=20.5), grid, duration=1)).splitlines()
+    assert max(map(len, lines)) < 100
+    assert lines[2] == "  balls: 400 (ball 0, ball 1, ball 2, ball 3, ball 4, ball 5, ball 6, ball 7, ...)"
+
+
+def test_schema_is_json_that_knows_the_tables_of_a_file() -> None:
+    schema = json.loads(carom.schema())
+    assert {"table", "balls", "physics", "method", "duration"} <= set(schema["properties"])
