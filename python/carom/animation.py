@@ -30,9 +30,9 @@ if TYPE_CHECKING:
 FORMATS = (".gif", ".mp4")
 OVERSAMPLING = 2
 CAPTION = 26
-FADES = 24
+FADES = 16
 SAMPLES_PER_FRAME = 3
-MOST_TRAILS = 64
+MOST_TRAILS = 32
 EXACT_COLOURS = 128
 SHORTEST_DELAY = 2  # hundredths of a second; viewers slow a GIF down below it
 
@@ -66,7 +66,7 @@ def animate(
         Length of the film's longer side, in pixels.
     trail : float, optional
         For how long a ball's path stays to be seen, in time of the run. If not given: half a second of the
-        film, and none where there are more than 64 balls.
+        film, and none where there are more than 32 balls.
     progress : bool, optional
         Show a progress bar on stderr. If not given: where stderr is a terminal.
 
