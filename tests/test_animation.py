@@ -77,6 +77,12 @@ def test_trails_are_drawn_behind_moving_balls(run: carom.Run, tmp_path: Path) ->
     assert np.any(np.asarray(with_trail) != np.asarray(without))
 
 
+def test_cloth_and_paper_keep_their_colours(run: carom.Run, tmp_path: Path) -> None:
+    for picture, _ in frames_of(animate(run, tmp_path / "film.gif", fps=2, size=320)):
+        assert picture.getpixel((picture.width - 2, 2)) == (255, 255, 255)
+        assert picture.getpixel((picture.width - 16, picture.height - 16)) == (0xED, 0xF3, 0xEE)
+
+
 def test_films_have_even_sides_of_the_size_asked_for(run: carom.Run, tmp_path: Path) -> None:
     for size in (121, 320):
         picture = frames_of(animate(run, tmp_path / "film.gif", fps=2, size=size))[0][0]

@@ -217,7 +217,9 @@ def test_many_events_are_not_numbered(run: carom.Run) -> None:
 # Curves against time
 
 
-def test_energy_is_drawn_with_its_jumps(run: carom.Run) -> None:
+@pytest.mark.parametrize("method", ["run", "stepped"])
+def test_energy_is_drawn_with_its_jumps(method: str, request: pytest.FixtureRequest) -> None:
+    run = request.getfixturevalue(method)
     total = next(line for line in run.plot_energy().lines if line.get_label() == "total")
     times, energy = (np.asarray(values) for values in total.get_data())
     np.testing.assert_array_equal(energy, run.energy(times))

@@ -34,7 +34,7 @@ pub struct Steps<S> {
 }
 
 impl<S: Scalar> Steps<S> {
-    /// Position and velocity of each ball at a time within the run.
+    /// Position and velocity of each ball at a time within the run; at a hit's own time, those after it.
     pub fn state(&self, time: S) -> Vec<State<S>> {
         let later = self.steps.partition_point(|step| step.time <= time).max(1);
         let step = &self.steps[later - 1];
@@ -43,7 +43,7 @@ impl<S: Scalar> Steps<S> {
         let state = |ball: usize| {
             let (position, velocity) = step.balls[ball];
             match (step.hits[ball], next) {
-                (Some(hit), Some(next)) if elapsed >= hit.after => next.balls[ball],
+                (Some(hit), Some(next)) if time >= step.time + hit.after => next.balls[ball],
                 _ => (position + velocity * elapsed, velocity),
             }
         };
