@@ -128,7 +128,7 @@ impl<S: Scalar> Discs<S> {
             if contacts[first..].iter().any(|c| is_same_direction(c.normal, normal)) {
                 continue;
             }
-            let point = member.position + normal * radius;
+            let point = cushion.foot(member.position);
             contacts.push(Contact { members: (place, None), cushion: Some(number as u32), point, normal });
         }
     }

@@ -45,7 +45,7 @@ impl<S: Scalar> Discs<S> {
             ball_a: ball as u32,
             ball_b: None,
             cushion: Some(cushion),
-            point: position - normal * disc.radius,
+            point: self.system.faces.all[cushion as usize].foot(position),
             normal,
             closing_speed: -rebound.normal_velocity,
             impulse: (rebound.velocity - velocity).dot(normal) * scale * disc.mass,

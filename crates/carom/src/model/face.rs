@@ -102,6 +102,14 @@ impl<S: Scalar> Face<S> {
         Face::Round(Round { arc })
     }
 
+    /// The point of the cushion nearest to `position`: where a ball that touches it does.
+    pub fn foot(&self, position: Vec2<S>) -> Vec2<S> {
+        match self {
+            Face::Line(line) => position - line.normal * (line.height(position) * line.normal_scale),
+            Face::Round(round) => round.arc.center + (position - round.arc.center).unit() * round.arc.radius,
+        }
+    }
+
     /// The unit vector into the table at the foot of `position`, with one over its squared length.
     pub fn normal_at(&self, position: Vec2<S>) -> (Vec2<S>, S) {
         match self {

@@ -66,6 +66,16 @@ impl<S: Scalar> Candidate<S> {
 }
 
 impl<S: Scalar> Walls<S> {
+    /// The point of a wall nearest to `position`.
+    pub fn foot(&self, wall: usize, position: Vec2<S>) -> Vec2<S> {
+        match wall {
+            0 => Vec2::new(position.x, S::ZERO),
+            1 => Vec2::new(self.size[0], position.y),
+            2 => Vec2::new(position.x, self.size[1]),
+            _ => Vec2::new(S::ZERO, position.y),
+        }
+    }
+
     /// Unit vector of a wall into the table.
     pub fn normal(&self, wall: usize) -> Vec2<S> {
         match wall {

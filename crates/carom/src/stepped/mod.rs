@@ -192,7 +192,7 @@ impl<S: Scalar> Scheme<S> {
             ball_a: ball as u32,
             ball_b: None,
             cushion: Some(wall as u32),
-            point: position - normal * disc.radius,
+            point: self.walls.foot(wall, position),
             normal,
             closing_speed: -rebound.normal_velocity,
             impulse: (rebound.velocity - velocity).dot(normal) * disc.mass,
