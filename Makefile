@@ -57,7 +57,8 @@ bench: ## Measure the engine
 
 wheel: $(VENV)/.tools ## Build a wheel and a source archive into dist/
 	@$(need_rust)
-	$(BIN)/maturin build --release --locked --sdist --out dist
+	@# The archive leaves other members of the workspace out, so its Cargo.lock is longer than it need be: not --locked.
+	$(BIN)/maturin build --release --sdist --out dist
 
 wheel-check: wheel ## Install the wheel, and one built from the source archive, into fresh environments and try them
 	tests/packaging/check.sh $(BIN)/python dist
