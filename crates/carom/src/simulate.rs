@@ -92,7 +92,7 @@ fn simulate_stepped(
         Method::Stepped { dt, after_hit, normal, last_step, steps } => {
             let readings =
                 Readings { dt: *dt, after_hit: *after_hit, normal: *normal, last_step: *last_step };
-            (readings, steps.unwrap_or(u64::MAX))
+            (readings, *steps)
         }
         Method::Exact => unreachable!("only called for the stepped method"),
     };
@@ -101,8 +101,8 @@ fn simulate_stepped(
         _ => unreachable!("a checked stepped scenario has a rectangle"),
     };
     let mut ends = Ends {
-        duration: scenario.duration.unwrap_or(f64::INFINITY),
-        steps,
+        duration: scenario.duration.filter(|_| steps.is_none()).unwrap_or(f64::INFINITY),
+        steps: steps.unwrap_or(u64::MAX),
         collisions: scenario.collisions.unwrap_or(u64::MAX),
         events: max_events(scenario),
         until,
