@@ -1,5 +1,6 @@
 //! Double-double arithmetic against exact rational arithmetic.
 
+#![allow(clippy::disallowed_methods)]
 #![allow(clippy::unwrap_used)]
 
 use carom::scalar::{DoubleDouble, Scalar};

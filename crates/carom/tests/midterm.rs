@@ -1,6 +1,6 @@
 //! The course exercise, in every kind of number and by both methods, against computations made elsewhere.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use carom::engine::{Limits, Simulation};
 use carom::run::{Event, Kind, Log, Run, Status};

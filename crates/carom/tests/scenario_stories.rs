@@ -1,4 +1,6 @@
 //! What the descriptions of the scenario files claim is what happens.
+
+#![allow(clippy::disallowed_methods)]
 #![allow(clippy::unwrap_used)]
 
 use carom::run::{Run, Status};
