@@ -50,9 +50,7 @@ def process(*words: object, **more: str) -> subprocess.CompletedProcess[str]:
     """Give a command to the program in a process of its own."""
     command = [sys.executable, "-m", "carom", *map(str, words)]
     environment = {**os.environ, **more}
-    return subprocess.run(
-        command, capture_output=True, text=True, encoding="utf-8", env=environment, check=False
-    )
+    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", env=environment, check=False)
 
 
 def rows_of(path: Path) -> list[dict[str, str]]:

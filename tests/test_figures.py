@@ -322,9 +322,7 @@ def test_palette_cycles() -> None:
 
 
 @pytest.mark.parametrize("draw", DRAWINGS)
-def test_figures_draw_on_the_given_axes_and_return_them(
-    run: carom.Run, draw: "type[figures.plot_energy]"
-) -> None:
+def test_figures_draw_on_the_given_axes_and_return_them(run: carom.Run, draw: "type[figures.plot_energy]") -> None:
     ax = Figure().add_subplot()
     assert draw(run, ax=ax) is ax
     assert ax.lines
@@ -354,12 +352,8 @@ def test_figures_need_no_pyplot_and_no_display() -> None:
 
 
 @pytest.mark.parametrize("kind", figures.FORMATS)
-def test_figures_save_and_the_same_figure_gives_the_same_file(
-    run: carom.Run, tmp_path: Path, kind: str
-) -> None:
-    one, other = (
-        figures.save_figure(figures.figure_of(run.filmstrip()), tmp_path / f"{name}.{kind}") for name in "ab"
-    )
+def test_figures_save_and_the_same_figure_gives_the_same_file(run: carom.Run, tmp_path: Path, kind: str) -> None:
+    one, other = (figures.save_figure(figures.figure_of(run.filmstrip()), tmp_path / f"{name}.{kind}") for name in "ab")
     magic = {"png": b"\x89PNG", "pdf": b"%PDF", "svg": b"<?xml"}[kind]
     assert one.read_bytes().startswith(magic)
     assert one.read_bytes() == other.read_bytes()

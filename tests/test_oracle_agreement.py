@@ -7,11 +7,11 @@ few parts in 2^52. Where a twin has parted from the run by d, the run may have p
 import math
 import random
 
-import carom
 import numpy as np
 import pytest
-
 from oracle import exact
+
+import carom
 
 LOST = 1e-7  # relative: once the twin has parted so far, the remaining digits say little
 TWINS = 4
@@ -47,7 +47,12 @@ PILLARS = {
     "length": 1.5,
     "obstacles": [
         {"circle": {"center": [0.7, 0.8], "radius": 0.2}},
-        {"path": [{"line": line} for line in ([[1.4, 0.4], [1.3, 0.8]], [[1.3, 0.8], [1.7, 0.7]], [[1.7, 0.7], [1.4, 0.4]])]},
+        {
+            "path": [
+                {"line": line}
+                for line in ([[1.4, 0.4], [1.3, 0.8]], [[1.3, 0.8], [1.7, 0.7]], [[1.7, 0.7], [1.4, 0.4]])
+            ]
+        },
         {"wall": [[0.2, 1.1], [0.4, 1.5]]},
     ],
 }
@@ -123,7 +128,12 @@ def words(event) -> tuple:
 
 
 CASES = [
-    *[(table, laws, balls, seed) for table in TABLES for laws in ("elastic", "lossy") for balls, seed in ((2, 1), (5, 2))],
+    *[
+        (table, laws, balls, seed)
+        for table in TABLES
+        for laws in ("elastic", "lossy")
+        for balls, seed in ((2, 1), (5, 2))
+    ],
     *[(table, "field", 3, 3) for table in ("rectangle", "l_shape", "circle", "pillars")],
     ("rectangle", "elastic", 50, 4),
     ("pillars", "lossy", 20, 5),

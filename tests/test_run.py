@@ -149,9 +149,7 @@ def test_verify_names_the_first_difference(run: carom.Run) -> None:
     text = run.to_json()
     time = repr(float(run.events["time"][2]))
     assert time in text
-    changed = carom.Run(
-        _engine.Run.from_json(text.replace(time, repr(np.nextafter(float(time), 9).item()), 1))
-    )
+    changed = carom.Run(_engine.Run.from_json(text.replace(time, repr(np.nextafter(float(time), 9).item()), 1)))
     found = changed.verify()
     assert not found
     assert found.difference is not None

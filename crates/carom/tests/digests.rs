@@ -1,15 +1,8 @@
-//! Golden digests: every ready-made scenario ends in the same bits, in debug and release builds and on every platform.
+//! Every ready-made scenario ends on its golden digest, in every build and on every machine.
 //!
-//! The same file is read by the tests of the Python package. To mint it anew after a change that moves trajectories,
-//! raise `PHYSICS_VERSION`, and run
-//!
-//! ```text
-//! CAROM_MINT="why they moved" cargo test -p carom --test digests
-//! ```
-
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod kit;
+//! `make digests REASON="..."` mints the digests anew. It refuses to change one while `PHYSICS_VERSION` stays: a
+//! trajectory that moves raises it.
+#![allow(clippy::expect_used, clippy::unwrap_used, clippy::panic)]
 
 use carom::run::{Digest, PHYSICS_VERSION};
 use carom::scenario::Scenario;
@@ -22,52 +15,74 @@ use std::path::PathBuf;
 #[derive(Serialize, Deserialize)]
 struct Golden {
     physics_version: u32,
-    reasons: Vec<String>,
+    reason: String,
     digests: BTreeMap<String, Digest>,
 }
 
-fn path() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/golden/digests.json")
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-fn digest_of(name: &str, text: &str) -> Digest {
-    let scenario = Scenario::from_toml(text).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let run = simulate(&scenario).unwrap_or_else(|error| panic!("{name}: {error}"));
-    run.digest().unwrap_or_else(|| panic!("{name}: the end holds a NaN"))
+fn golden_file() -> PathBuf {
+    root().join("reference/digests.json")
 }
 
-fn mint(reason: String, digests: BTreeMap<String, Digest>) {
-    let known =
-        std::fs::read_to_string(path()).ok().map(|text| serde_json::from_str::<Golden>(&text).unwrap());
-    let mut reasons = known.map_or_else(Vec::new, |golden| golden.reasons);
-    reasons.push(format!("physics {PHYSICS_VERSION}: {reason}"));
-    let golden = Golden { physics_version: PHYSICS_VERSION, reasons, digests };
-    std::fs::write(path(), serde_json::to_string_pretty(&golden).unwrap() + "\n").unwrap();
+fn golden() -> Option<Golden> {
+    let text = std::fs::read_to_string(golden_file()).ok()?;
+    Some(serde_json::from_str(&text).expect("the file of digests is right"))
+}
+
+/// The digest of each ready-made scenario, by name.
+fn digests() -> BTreeMap<String, Digest> {
+    let files = root().join("scenarios").read_dir().expect("there are scenarios");
+    let digest = |path: PathBuf| {
+        let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let scenario = Scenario::from_toml(&text).unwrap_or_else(|error| panic!("{name}:\n{error}"));
+        let run = simulate(&scenario).unwrap_or_else(|error| panic!("{name}: {error}"));
+        (name, run.digest().expect("no number is NaN"))
+    };
+    files.map(|entry| digest(entry.unwrap().path())).collect()
+}
+
+/// What differs between two digests, and what that says.
+fn difference(name: &str, golden: Option<&Digest>, now: &Digest) -> Option<String> {
+    match golden {
+        None => Some(format!("{name}: has no golden digest")),
+        Some(golden) if golden == now => None,
+        Some(golden) if golden.events != now.events => {
+            Some(format!("{name}: {} events for {}: the logic moved", now.events, golden.events))
+        }
+        Some(_) => Some(format!("{name}: other bits after as many events: the arithmetic moved")),
+    }
 }
 
 #[test]
-fn every_scenario_ends_in_its_golden_bits() {
-    let digests: BTreeMap<String, Digest> = kit::scenario_files()
-        .into_iter()
-        .map(|(name, text)| (name.clone(), digest_of(&name, &text)))
-        .collect();
-    if let Ok(reason) = std::env::var("CAROM_MINT") {
-        return mint(reason, digests);
+fn ready_made_scenarios_end_on_their_golden_digests() {
+    let now = digests();
+    if let Ok(reason) = std::env::var("CAROM_MINT_DIGESTS") {
+        return mint(reason, now);
     }
-    let golden: Golden = serde_json::from_str(&std::fs::read_to_string(path()).unwrap()).unwrap();
-    assert_eq!(
-        golden.physics_version, PHYSICS_VERSION,
-        "the digests belong to another version of the physics"
-    );
-    let names = |map: &BTreeMap<String, Digest>| map.keys().cloned().collect::<Vec<_>>();
-    assert_eq!(names(&golden.digests), names(&digests), "scenarios were added or removed");
-    for (name, digest) in &digests {
-        let expected = &golden.digests[name];
-        assert_eq!(digest.events, expected.events, "{name}: the number of events moved, so logic did");
-        assert_eq!(
-            digest.end_time, expected.end_time,
-            "{name}: the end time moved, so arithmetic or logic did"
-        );
-        assert_eq!(digest.state, expected.state, "{name}: the final state moved, so arithmetic did");
+    let golden = golden().expect("the digests are committed");
+    let differences: Vec<_> =
+        now.iter().filter_map(|(name, now)| difference(name, golden.digests.get(name), now)).collect();
+    assert!(differences.is_empty(), "{}", differences.join("\n"));
+    assert_eq!(golden.physics_version, PHYSICS_VERSION, "minted with another version of the physics");
+    let gone: Vec<_> = golden.digests.keys().filter(|name| !now.contains_key(*name)).collect();
+    assert!(gone.is_empty(), "digests without a scenario: {gone:?}");
+}
+
+fn mint(reason: String, digests: BTreeMap<String, Digest>) {
+    assert!(!reason.trim().is_empty(), "say why: make digests REASON=\"...\"");
+    if let Some(old) = golden().filter(|old| old.physics_version == PHYSICS_VERSION) {
+        let moved: Vec<_> = digests
+            .iter()
+            .filter(|(name, _)| old.digests.contains_key(*name))
+            .filter_map(|(name, now)| difference(name, old.digests.get(name), now))
+            .collect();
+        assert!(moved.is_empty(), "raise PHYSICS_VERSION first:\n{}", moved.join("\n"));
     }
+    let golden = Golden { physics_version: PHYSICS_VERSION, reason, digests };
+    let text = serde_json::to_string_pretty(&golden).unwrap();
+    std::fs::write(golden_file(), text + "\n").unwrap();
 }

@@ -48,9 +48,7 @@ def run(
     method: Annotated[MethodName | None, typer.Option(help="How to compute it.", show_default=False)] = None,
     dt: Annotated[float | None, typer.Option(metavar="H", help="Time step; means --method stepped.")] = None,
     duration: options.Duration = None,
-    collisions: Annotated[
-        int | None, typer.Option(metavar="N", min=0, help="End after N collisions.")
-    ] = None,
+    collisions: Annotated[int | None, typer.Option(metavar="N", min=0, help="End after N collisions.")] = None,
     max_events: options.MaxEvents = None,
     settings: options.Settings = None,
     sample: Annotated[
