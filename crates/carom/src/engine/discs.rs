@@ -61,6 +61,8 @@ pub struct Discs<S> {
     pub(super) queue: Queue<S>,
     pub(super) diagnostics: Diagnostics,
     pub(super) has_field: bool,
+    /// Neither a field nor thin walls: prediction takes a shorter way.
+    pub(super) is_plain: bool,
     pub(super) fault: Option<Fault>,
 }
 
@@ -100,6 +102,7 @@ impl<S: Scalar> Discs<S> {
             queue: Queue::new(flights.len()),
             diagnostics: Diagnostics::default(),
             has_field: system.field != Vec2::ZERO,
+            is_plain: system.field == Vec2::ZERO && !system.has_backs,
             fault: None,
             system,
             flights,
