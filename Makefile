@@ -4,6 +4,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 CARGO := cargo
+TEST_PROFILE := optimised-test
 
 RUST := $(shell find crates \( -name '*.rs' -o -name '*.json' -o -name Cargo.toml \) -not -path '*/target/*')
 SCENARIOS := $(wildcard scenarios/*)
@@ -26,7 +27,7 @@ test: test-rust test-python lint ## Run every test and lint
 
 test-rust: ## Run the engine's tests, the golden digests in an unoptimised build too
 	@$(need_rust)
-	$(CARGO) test --locked --release --workspace --exclude carom-python
+	$(CARGO) test --locked --profile $(TEST_PROFILE) --workspace --exclude carom-python
 	$(CARGO) test --locked -p carom --test digests
 
 test-python: build ## Run the package's tests
@@ -55,9 +56,14 @@ bench: ## Measure the engine
 	@$(need_rust)
 	$(CARGO) bench --locked -p carom
 
+digests: ## Mint the golden digests of the scenarios anew: make digests REASON="..."
+	@$(need_rust)
+	CAROM_MINT_DIGESTS="$(REASON)" $(CARGO) test --locked --profile $(TEST_PROFILE) -p carom --test digests
+
 wheel: $(VENV)/.tools ## Build a wheel and a source archive into dist/
 	@$(need_rust)
-	$(BIN)/maturin build --release --locked --sdist --out dist
+	@# The archive leaves other members of the workspace out, so its Cargo.lock is longer than it need be: not --locked.
+	$(BIN)/maturin build --release --sdist --out dist
 
 wheel-check: wheel ## Install the wheel, and one built from the source archive, into fresh environments and try them
 	tests/packaging/check.sh $(BIN)/python dist

@@ -55,9 +55,7 @@ def test_a_gif_can_run_slower_and_faster(run: carom.Run, tmp_path: Path) -> None
         assert sum(delay for _, delay in frames) == total
 
 
-def test_discs_are_where_the_balls_are_at_the_moment_of_the_frame(
-    midterm: carom.Scenario, tmp_path: Path
-) -> None:
+def test_discs_are_where_the_balls_are_at_the_moment_of_the_frame(midterm: carom.Scenario, tmp_path: Path) -> None:
     colours = {"balls.red.color": [1.0, 0.0, 0.0], "balls.blue.color": [0.0, 0.0, 1.0]}
     run = midterm.with_values(colours).run()
     frames = frames_of(animate(run, tmp_path / "film.gif", fps=10, size=640, trail=0.0))
@@ -71,10 +69,15 @@ def test_discs_are_where_the_balls_are_at_the_moment_of_the_frame(
 
 def test_trails_are_drawn_behind_moving_balls(run: carom.Run, tmp_path: Path) -> None:
     with_trail, without = (
-        frames_of(animate(run, tmp_path / "film.gif", fps=5, size=200, trail=trail))[3][0]
-        for trail in (0.5, 0.0)
+        frames_of(animate(run, tmp_path / "film.gif", fps=5, size=200, trail=trail))[3][0] for trail in (0.5, 0.0)
     )
     assert np.any(np.asarray(with_trail) != np.asarray(without))
+
+
+def test_cloth_and_paper_keep_their_colours(run: carom.Run, tmp_path: Path) -> None:
+    for picture, _ in frames_of(animate(run, tmp_path / "film.gif", fps=2, size=320)):
+        assert picture.getpixel((picture.width - 2, 2)) == (255, 255, 255)
+        assert picture.getpixel((picture.width - 16, picture.height - 16)) == (0xED, 0xF3, 0xEE)
 
 
 def test_films_have_even_sides_of_the_size_asked_for(run: carom.Run, tmp_path: Path) -> None:
@@ -120,9 +123,7 @@ def test_what_cannot_be_filmed_is_refused(
     assert not list(tmp_path.iterdir())
 
 
-def test_an_interrupted_film_leaves_nothing(
-    run: carom.Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_interrupted_film_leaves_nothing(run: carom.Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupt(self: object, index: int) -> None:
         raise KeyboardInterrupt
 

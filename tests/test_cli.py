@@ -50,9 +50,7 @@ def process(*words: object, **more: str) -> subprocess.CompletedProcess[str]:
     """Give a command to the program in a process of its own."""
     command = [sys.executable, "-m", "carom", *map(str, words)]
     environment = {**os.environ, **more}
-    return subprocess.run(
-        command, capture_output=True, text=True, encoding="utf-8", env=environment, check=False
-    )
+    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", env=environment, check=False)
 
 
 def rows_of(path: Path) -> list[dict[str, str]]:
@@ -232,6 +230,15 @@ def test_problems_are_reported_line_by_line(
 )
 def test_wrong_usage_exits_with_2(words: tuple[str, ...]) -> None:
     assert shell(*words).code == 2
+
+
+def test_files_and_folders_that_cannot_be_are_reported(tmp_path: Path) -> None:
+    (tmp_path / "bytes.json").write_bytes(b"\xff\xfe")
+    assert shell("verify", tmp_path / "bytes.json").stderr.startswith("error: not a text")
+    assert shell("run", "midterm", "--out", tmp_path / "bytes.json").stderr.startswith("error: --out: ")
+    done = shell("run", "midterm", "--sample", "1e-9", "--out", tmp_path / "out")
+    assert done.stderr.startswith("error: --sample: ")
+    assert names_in(tmp_path) == {"bytes.json"}
 
 
 def test_a_process_of_its_own_exits_with_the_same_codes() -> None:

@@ -34,9 +34,7 @@ def test_head_on_contact_is_where_arithmetic_puts_it() -> None:
         carom.Ball("b", radius=0.125, position=(1, 1), velocity=(-1, 0)),
     ]
     run = carom.Scenario(carom.Table.circle(radius=4), balls, duration=0.5).run()
-    assert list(run.events) == [
-        carom.Event(0, 0.375, "ball_ball", "a", "b", None, 0.5, 1.0, 1.0, 0.0, 2.0, 2.0, None)
-    ]
+    assert list(run.events) == [carom.Event(0, 0.375, "ball_ball", "a", "b", None, 0.5, 1.0, 1.0, 0.0, 2.0, 2.0, None)]
     assert run.events[0].position == (0.5, 1.0)
     assert run.events[0].normal == (1.0, 0.0)
     assert run.events[0].balls == ("a", "b")
@@ -47,16 +45,12 @@ def test_parts_compose_in_any_order(run: carom.Run) -> None:
     one = events.by_kind("ball_cushion").by_ball("red").by_time(1, 2)
     other = events.by_time(1, 2).by_ball("red").by_kind("ball_cushion")
     assert one == other
-    assert list(one) == [
-        e for e in events if e.kind == "ball_cushion" and "red" in e.balls and 1 <= e.time <= 2
-    ]
+    assert list(one) == [e for e in events if e.kind == "ball_cushion" and "red" in e.balls and 1 <= e.time <= 2]
 
 
 def test_several_words_mean_any_of_them(run: carom.Run) -> None:
     assert run.events.by_kind("ball_ball", "ball_cushion") == run.events
-    assert len(run.events.by_cushion("left", "right")) == sum(
-        e.cushion in ("left", "right") for e in run.events
-    )
+    assert len(run.events.by_cushion("left", "right")) == sum(e.cushion in ("left", "right") for e in run.events)
 
 
 def test_time_range_includes_both_ends(run: carom.Run) -> None:

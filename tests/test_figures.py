@@ -217,7 +217,9 @@ def test_many_events_are_not_numbered(run: carom.Run) -> None:
 # Curves against time
 
 
-def test_energy_is_drawn_with_its_jumps(run: carom.Run) -> None:
+@pytest.mark.parametrize("method", ["run", "stepped"])
+def test_energy_is_drawn_with_its_jumps(method: str, request: pytest.FixtureRequest) -> None:
+    run = request.getfixturevalue(method)
     total = next(line for line in run.plot_energy().lines if line.get_label() == "total")
     times, energy = (np.asarray(values) for values in total.get_data())
     np.testing.assert_array_equal(energy, run.energy(times))
@@ -320,9 +322,7 @@ def test_palette_cycles() -> None:
 
 
 @pytest.mark.parametrize("draw", DRAWINGS)
-def test_figures_draw_on_the_given_axes_and_return_them(
-    run: carom.Run, draw: "type[figures.plot_energy]"
-) -> None:
+def test_figures_draw_on_the_given_axes_and_return_them(run: carom.Run, draw: "type[figures.plot_energy]") -> None:
     ax = Figure().add_subplot()
     assert draw(run, ax=ax) is ax
     assert ax.lines
@@ -352,12 +352,8 @@ def test_figures_need_no_pyplot_and_no_display() -> None:
 
 
 @pytest.mark.parametrize("kind", figures.FORMATS)
-def test_figures_save_and_the_same_figure_gives_the_same_file(
-    run: carom.Run, tmp_path: Path, kind: str
-) -> None:
-    one, other = (
-        figures.save_figure(figures.figure_of(run.filmstrip()), tmp_path / f"{name}.{kind}") for name in "ab"
-    )
+def test_figures_save_and_the_same_figure_gives_the_same_file(run: carom.Run, tmp_path: Path, kind: str) -> None:
+    one, other = (figures.save_figure(figures.figure_of(run.filmstrip()), tmp_path / f"{name}.{kind}") for name in "ab")
     magic = {"png": b"\x89PNG", "pdf": b"%PDF", "svg": b"<?xml"}[kind]
     assert one.read_bytes().startswith(magic)
     assert one.read_bytes() == other.read_bytes()

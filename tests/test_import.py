@@ -48,9 +48,7 @@ def test_public_name_is_the_one_of_its_module(name: str) -> None:
 def test_public_names_are_said_the_same_to_type_checkers() -> None:
     tree = ast.parse(Path(carom.__file__).read_text(encoding="utf-8"))
     imports = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)]
-    told = {
-        alias.name: node.module for node in imports for alias in node.names if node.module != "__future__"
-    }
+    told = {alias.name: node.module for node in imports for alias in node.names if node.module != "__future__"}
     public = {name: f"carom.{home}" for name, home in carom._HOME_OF.items()}
     assert {name: told.get(name) for name in public} == public
     assert sorted(public) == sorted(carom.__all__)

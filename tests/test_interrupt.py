@@ -12,10 +12,14 @@ import carom
 
 LONG = """
 import carom
+from carom import _engine
 table = carom.Table.rectangle(width=1, length=1)
 balls = [carom.Ball("a", radius=0.1, position=(0.3, 0.3), velocity=(1, 0.7)),
          carom.Ball("b", radius=0.1, position=(0.7, 0.6), velocity=(-0.4, 0.9))]
 scenario = carom.Scenario(table, balls, duration=1e12, record="none", max_events=10**12)
+def longer_than_it_was(run):
+    text = run.to_json().replace('"duration":1.0', '"duration":1e12')
+    return carom.Run(_engine.Run.from_json(text))
 scenario.run(duration=1), scenario.start().step()  # so that everything is imported
 try:
     print("ready", flush=True)
@@ -30,6 +34,8 @@ CALLS = {
     "run_until": "scenario.start().run_until(1e11)",
     "predicate": "scenario.run(until=lambda event: False)",
     "resume": "scenario.run(duration=1).resume(duration=1e12)",
+    "stepped": "scenario.run(method=carom.Stepped(dt=1e-6), duration=100)",
+    "verify": "longer_than_it_was(scenario.run(duration=1)).verify()",
 }
 
 

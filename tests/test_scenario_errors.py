@@ -62,9 +62,7 @@ def test_unknown_name_gives_the_nearest_ready_made_ones() -> None:
 
 @pytest.mark.parametrize("path", ["./midterm", "some/where/midterm.toml", "midterm.json", Path("midterm")])
 def test_slash_suffix_or_path_object_means_a_file(path: str | Path) -> None:
-    with pytest.raises(
-        carom.ScenarioError, match=r"no such file.*nearest ready-made: midterm|ends in \.toml"
-    ):
+    with pytest.raises(carom.ScenarioError, match=r"no such file.*nearest ready-made: midterm|ends in \.toml"):
         carom.load(path)
 
 

@@ -30,9 +30,10 @@ if TYPE_CHECKING:
 FORMATS = (".gif", ".mp4")
 OVERSAMPLING = 2
 CAPTION = 26
-FADES = 24
+FADES = 16
 SAMPLES_PER_FRAME = 3
-MOST_TRAILS = 64
+MOST_TRAILS = 32
+EXACT_COLOURS = 128
 SHORTEST_DELAY = 2  # hundredths of a second; viewers slow a GIF down below it
 
 
@@ -65,7 +66,7 @@ def animate(
         Length of the film's longer side, in pixels.
     trail : float, optional
         For how long a ball's path stays to be seen, in time of the run. If not given: half a second of the
-        film, and none where there are more than 64 balls.
+        film, and none where there are more than 32 balls.
     progress : bool, optional
         Show a progress bar on stderr. If not given: where stderr is a terminal.
 
@@ -225,16 +226,60 @@ class _Film:
                 points = places[part[0] : part[-1] + 2]
                 draw.line(points.ravel().tolist(), fill=colours[shade], width=2 * OVERSAMPLING, joint="curve")
 
-    def palette(self) -> Image:
+    def palette(self) -> _Palette:
         """Choose the colours of a GIF from a few frames that are spread over the film."""
+        chosen = np.unique(np.linspace(0, len(self.times) - 1, 6).astype(int)).tolist()
+        return _Palette.of(np.concatenate([_packed(self.frame(index)).ravel() for index in chosen]))
+
+
+class _Palette:
+    """The colours of a GIF, and for every colour met so far the nearest of them.
+
+    The most frequent colours are kept exactly, so that cloth and paper have the colours they have in figures.
+    """
+
+    unknown = 255
+
+    def __init__(self, colours: NDArray[np.uint8]) -> None:
+        self.colours = colours
+        self._nearest = np.full(1 << 24, self.unknown, dtype=np.uint8)
+
+    @classmethod
+    def of(cls, pixels: NDArray[np.uint32]) -> _Palette:
+        """Choose 255 colours for some packed pixels, (n_pixels,) uint32."""
         from PIL import Image
 
-        width, height = self.size
-        chosen = np.unique(np.linspace(0, len(self.times) - 1, 6).astype(int)).tolist()
-        sheet = Image.new("RGB", (width * len(chosen), height))
-        for column, index in enumerate(chosen):
-            sheet.paste(self.frame(index), (column * width, 0))
-        return sheet.quantize(255, method=Image.Quantize.MEDIANCUT)
+        packed, counts = np.unique(pixels, return_counts=True)
+        kept = packed[np.argsort(counts)[::-1][:EXACT_COLOURS]]
+        rest = packed[np.isin(packed, kept, invert=True)]
+        spread = Image.fromarray(_unpacked(rest if len(rest) else kept)[None])
+        mixed = spread.quantize(cls.unknown - EXACT_COLOURS, method=Image.Quantize.MEDIANCUT).getpalette()
+        return cls(np.concatenate([_unpacked(kept), np.array(mixed, dtype=np.uint8).reshape(-1, 3)]))
+
+    def apply(self, picture: Image) -> Image:
+        """Give a picture in these colours."""
+        from PIL import Image
+
+        packed = _packed(picture)
+        chosen = self._nearest[packed]
+        new = np.unique(packed[chosen == self.unknown])
+        if len(new):
+            apart = _unpacked(new).astype(int)[:, None] - self.colours.astype(int)
+            self._nearest[new] = np.argmin(np.sum(apart**2, axis=-1), axis=-1)
+            chosen = self._nearest[packed]
+        indexed = Image.fromarray(chosen)
+        indexed.putpalette(self.colours.tobytes())
+        return indexed
+
+
+def _packed(picture: Image) -> NDArray[np.uint32]:
+    """Give every pixel of a picture as one number, (height, width) uint32: red, green, blue from the low end."""
+    pixels: NDArray[np.uint32] = np.asarray(picture.convert("RGBA")).view("<u4")[..., 0] & np.uint32(0xFFFFFF)
+    return pixels
+
+
+def _unpacked(packed: NDArray[np.uint32]) -> NDArray[np.uint8]:
+    return np.stack([packed & 255, packed >> 8 & 255, packed >> 16], axis=-1).astype(np.uint8)
 
 
 def _draw_background(scene: Scene, size: int) -> tuple[Image, Any]:
@@ -283,10 +328,8 @@ def _faded(colours: Sequence[str]) -> list[list[tuple[int, int, int]]]:
     return [[(r, g, b) for r, g, b in np.rint(255 * blend).astype(int).tolist()] for blend in blends]
 
 
-def _write_gif(path: Path, frames: Iterable[Image], delays: NDArray[np.int64], palette: Image) -> None:
-    from PIL import Image
-
-    pictures = (frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames)
+def _write_gif(path: Path, frames: Iterable[Image], delays: NDArray[np.int64], palette: _Palette) -> None:
+    pictures = map(palette.apply, frames)
     first = next(pictures)
     durations = [10 * delay for delay in delays.tolist()]
     first.save(path, format="GIF", save_all=True, append_images=pictures, duration=durations, loop=0)

@@ -31,7 +31,7 @@ class Stepped(Section):
     last_step : "short" or "full", optional
         Whether the last step ends exactly at the duration, or is a full one and ends past it.
     steps : int, optional
-        How many steps to make at most.
+        How many full steps to make; given, it decides the end in place of the duration.
     """
 
     tag: ClassVar = {"kind": "stepped"}

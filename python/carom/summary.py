@@ -23,9 +23,7 @@ def block(head: str, lines: Iterable[tuple[str, str]]) -> str:
 
 
 def _table(table: Mapping[str, Any]) -> str:
-    return _setting(
-        {name: len(value) if name in ("pieces", "obstacles") else value for name, value in table.items()}
-    )
+    return _setting({name: len(value) if name in ("pieces", "obstacles") else value for name, value in table.items()})
 
 
 def _named(names: Sequence[str]) -> str:
@@ -37,7 +35,5 @@ def _setting(setting: Any) -> str:
     if not isinstance(setting, Mapping):
         return str(setting)
     kind = [str(setting[tag]) for tag in ("shape", "law", "kind") if tag in setting]
-    rest = [
-        f"{name} {_setting(value)}" for name, value in setting.items() if name not in ("shape", "law", "kind")
-    ]
+    rest = [f"{name} {_setting(value)}" for name, value in setting.items() if name not in ("shape", "law", "kind")]
     return ", ".join(kind + rest)

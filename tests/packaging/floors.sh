@@ -10,6 +10,6 @@ trap 'rm -rf "$work"' EXIT
 "$work/environment/bin/pip" install --quiet --constraint "$tests/packaging/floors.txt" \
     "$(echo "$dist"/carom-*.whl)[data]" pytest hypothesis mpmath
 cp -r "$tests" "$work/tests"
-cp "$tests/../pyproject.toml" "$work"
+cp -r "$tests/../pyproject.toml" "$tests/../reference" "$work"
 cd "$work"
 "$work/environment/bin/python" -m pytest tests -W default

@@ -35,6 +35,7 @@ fn piece(id: &str, part: &str, piece: &Piece<f64>) -> Value {
 }
 
 /// The angles of an arc's ends in degrees; good for drawing, not for computing.
+#[allow(clippy::disallowed_methods)]
 fn angles_deg(arc: &Arc<f64>) -> [f64; 2] {
     let from = arc.from.y.atan2(arc.from.x).to_degrees();
     [from, if arc.counter_clockwise { from + arc.sweep_deg } else { from - arc.sweep_deg }]

@@ -165,9 +165,10 @@ impl Run {
 
     /// Computes the run again and gives the first difference, as JSON text.
     fn verify(&self, py: Python<'_>) -> PyResult<String> {
-        let difference = py
-            .detach(|| simulate::verify(&self.scenario, &self.run))
-            .map_err(|error| simulation_error(&error, &self.scenario))?;
+        let compute =
+            |interrupted: &mut dyn FnMut() -> bool| simulate::verify(&self.scenario, &self.run, interrupted);
+        let difference =
+            interruptible(py, compute)?.map_err(|error| simulation_error(&error, &self.scenario))?;
         let outcome = json!({
             "same": difference.is_none(),
             "physics_version": self.physics_version,

@@ -1,4 +1,5 @@
 //! The course exercise: one exact run in the engine on one core.
+#![allow(clippy::expect_used)]
 
 use carom::engine::{Limits, Simulation};
 use carom::run::{Log, Nothing};

@@ -27,7 +27,7 @@ pub fn simulate_until(
     interrupted: &mut dyn FnMut() -> bool,
 ) -> Result<Run<f64>, SimulationError> {
     if let Method::Stepped { .. } = scenario.method {
-        return Ok(simulate_stepped(scenario, until));
+        return Ok(simulate_stepped(scenario, until, interrupted));
     }
     let mut log = log_of(scenario);
     let simulation = Simulation::new(Arc::new(System::new(scenario)), limits_of(scenario, until), &mut log);
@@ -45,7 +45,7 @@ pub fn resume(
 ) -> Result<Run<f64>, SimulationError> {
     if run.steps.is_some() {
         // A short last step is not one of the longer run's, so the steps are made anew.
-        return Ok(simulate_stepped(scenario, until));
+        return Ok(simulate_stepped(scenario, until, interrupted));
     }
     go_on(Simulation::resume(run, limits_of(scenario, until)), run.log.clone(), interrupted)
 }
@@ -83,12 +83,16 @@ fn max_events(scenario: &Scenario) -> u64 {
     scenario.max_events.unwrap_or(budget)
 }
 
-fn simulate_stepped(scenario: &Scenario, until: Option<Kind>) -> Run<f64> {
+fn simulate_stepped(
+    scenario: &Scenario,
+    until: Option<Kind>,
+    interrupted: &mut dyn FnMut() -> bool,
+) -> Run<f64> {
     let (readings, steps) = match &scenario.method {
         Method::Stepped { dt, after_hit, normal, last_step, steps } => {
             let readings =
                 Readings { dt: *dt, after_hit: *after_hit, normal: *normal, last_step: *last_step };
-            (readings, steps.unwrap_or(u64::MAX))
+            (readings, *steps)
         }
         Method::Exact => unreachable!("only called for the stepped method"),
     };
@@ -96,14 +100,15 @@ fn simulate_stepped(scenario: &Scenario, until: Option<Kind>) -> Run<f64> {
         Table::Rectangle { width, length, .. } => [width, length],
         _ => unreachable!("a checked stepped scenario has a rectangle"),
     };
-    let ends = Ends {
-        duration: scenario.duration.unwrap_or(f64::INFINITY),
-        steps,
+    let mut ends = Ends {
+        duration: scenario.duration.filter(|_| steps.is_none()).unwrap_or(f64::INFINITY),
+        steps: steps.unwrap_or(u64::MAX),
         collisions: scenario.collisions.unwrap_or(u64::MAX),
         events: max_events(scenario),
         until,
+        interrupted,
     };
-    stepped::run(Arc::new(System::new(scenario)), size, &readings, &ends, log_of(scenario))
+    stepped::run(Arc::new(System::new(scenario)), size, &readings, &mut ends, log_of(scenario))
 }
 
 /// The first thing in which a run computed again differs from the one that was saved.
@@ -117,27 +122,57 @@ pub struct Difference {
     pub now: String,
 }
 
-/// Runs a scenario again and compares; `None` when every bit is the same.
+/// Runs a scenario again and compares; `None` when every bit is the same, or when `interrupted` broke it off.
 ///
 /// A run that was stopped from outside is compared up to where it was.
-pub fn verify(scenario: &Scenario, saved: &Run<f64>) -> Result<Option<Difference>, SimulationError> {
-    let now = if matches!(saved.status, Status::Stopped | Status::Interrupted) && saved.steps.is_none() {
-        rerun_part(scenario, saved)?
-    } else {
-        simulate(scenario)?
+pub fn verify(
+    scenario: &Scenario,
+    saved: &Run<f64>,
+    interrupted: &mut dyn FnMut() -> bool,
+) -> Result<Option<Difference>, SimulationError> {
+    let mut broken_off = false;
+    let mut note = || {
+        broken_off |= interrupted();
+        broken_off
     };
-    Ok(first_difference(saved, &now))
+    let now = match (saved.status, &saved.steps) {
+        (Status::Stopped | Status::Interrupted, None) => rerun_part(scenario, saved, &mut note)?,
+        (Status::Stopped | Status::Interrupted, Some(steps)) => {
+            let part = with_steps(scenario, steps.steps.len() - 1);
+            let mut now = simulate_until(&part, None, &mut note)?;
+            now.status = saved.status;
+            now
+        }
+        _ => simulate_until(scenario, None, &mut note)?,
+    };
+    Ok(if broken_off { None } else { first_difference(saved, &now) })
 }
 
-fn rerun_part(scenario: &Scenario, saved: &Run<f64>) -> Result<Run<f64>, SimulationError> {
+fn rerun_part(
+    scenario: &Scenario,
+    saved: &Run<f64>,
+    interrupted: &mut dyn FnMut() -> bool,
+) -> Result<Run<f64>, SimulationError> {
     let mut log = log_of(scenario);
     let limits = limits_of(scenario, None);
     let mut simulation = Simulation::new(Arc::new(System::new(scenario)), limits, &mut log);
-    while simulation.diagnostics().total_events() < saved.diagnostics.total_events()
-        && simulation.step(&mut log)?
-    {}
+    let events = saved.diagnostics.total_events();
+    while simulation.diagnostics().total_events() < events && simulation.step(&mut log)? {
+        if simulation.diagnostics().total_events().is_multiple_of(SLICE) && interrupted() {
+            simulation.stop(Status::Interrupted);
+        }
+    }
     simulation.stop_at(saved.status, saved.end_time, &mut log)?;
     Ok(simulation.finish(log))
+}
+
+/// A scenario of the fixed-step method that ends after a number of steps.
+fn with_steps(scenario: &Scenario, count: usize) -> Scenario {
+    let mut part = scenario.clone();
+    if let Method::Stepped { steps, .. } = &mut part.method {
+        *steps = Some(count as u64);
+    }
+    part
 }
 
 fn first_difference(saved: &Run<f64>, now: &Run<f64>) -> Option<Difference> {

@@ -75,7 +75,13 @@ impl Watch {
 }
 
 /// A run watched for a number of steps.
-fn watched(what: &str, table: &Value, physics: &Value, balls: &[Ball], steps: u64) -> (Watch, Simulation<f64>) {
+fn watched(
+    what: &str,
+    table: &Value,
+    physics: &Value,
+    balls: &[Ball],
+    steps: u64,
+) -> (Watch, Simulation<f64>) {
     let scenario = scenario(table, physics, balls);
     let field = &physics["flight"]["acceleration"];
     let field = [0, 1].map(|axis| field[axis].as_f64().unwrap_or(0.0));

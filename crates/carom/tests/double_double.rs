@@ -1,5 +1,6 @@
 //! Double-double arithmetic against exact rational arithmetic.
 
+#![allow(clippy::disallowed_methods)]
 #![allow(clippy::unwrap_used)]
 
 use carom::scalar::{DoubleDouble, Scalar};
@@ -34,7 +35,7 @@ fn dd(value: f64) -> DoubleDouble {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig::with_cases(500))]
 
     #[test]
     fn sum_errs_by_at_most_3_u_squared(a in number(), b in number()) {

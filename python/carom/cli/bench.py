@@ -21,9 +21,7 @@ SHORTEST = 0.05
 def bench(
     names: Annotated[
         list[str] | None,
-        typer.Argument(
-            metavar="SCENARIO", help="Scenarios; all ready-made ones if not given.", show_default=False
-        ),
+        typer.Argument(metavar="SCENARIO", help="Scenarios; all ready-made ones if not given.", show_default=False),
     ] = None,
     repeats: Annotated[int, typer.Option(min=1, help="How many times to time each; the median counts.")] = 7,
     as_json: options.Json = False,

@@ -40,9 +40,7 @@ def verify(
     found = carom.load_run(run).verify()
     version = found.physics_version
     if as_json:
-        print_json(
-            {"run": str(run), "same": found.same, "physics_version": version, "difference": found.difference}
-        )
+        print_json({"run": str(run), "same": found.same, "physics_version": version, "difference": found.difference})
     elif found.same:
         print(f"{run}: same bits (physics version {version})")
     else:

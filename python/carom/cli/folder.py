@@ -39,7 +39,10 @@ def filling(folder: Path, names: Iterable[str], mark: str) -> Iterator[Path]:
         The file that goes first and comes last.
     """
     temporary = _nearest_existing(folder.parent) / f".{folder.name}.{secrets.token_hex(4)}"
-    temporary.mkdir()
+    try:
+        temporary.mkdir()
+    except OSError as error:
+        raise ScenarioError([("--out", f"{folder} cannot be made: {error.strerror}")]) from None
     try:
         yield temporary
         with _uninterrupted():

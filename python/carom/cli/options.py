@@ -18,15 +18,11 @@ Duration = Annotated[float | None, typer.Option(metavar="T", min=0.0, help="End 
 MaxEvents = Annotated[int | None, typer.Option(metavar="N", min=0, help="End after N events of any kind.")]
 Settings = Annotated[
     list[str] | None,
-    typer.Option(
-        "--set", metavar="PATH=VALUE", help="Change a value, e.g. balls.red.velocity[0]=3.1. Repeatable."
-    ),
+    typer.Option("--set", metavar="PATH=VALUE", help="Change a value, e.g. balls.red.velocity[0]=3.1. Repeatable."),
 ]
 Out = Annotated[Path | None, typer.Option(metavar="DIR", help="Write the results into this folder.")]
 Overwrite = Annotated[bool, typer.Option("--overwrite", help="Replace results that DIR already holds.")]
-Formats = Annotated[
-    str, typer.Option("--format", metavar="LIST", help="Figures as png, svg, pdf; comma separated.")
-]
+Formats = Annotated[str, typer.Option("--format", metavar="LIST", help="Figures as png, svg, pdf; comma separated.")]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 

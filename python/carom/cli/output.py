@@ -28,6 +28,9 @@ def reporting() -> Iterator[None]:
     except CaromError as error:
         say_error("", str(error))
         raise typer.Exit(PROBLEM) from None
+    except UnicodeDecodeError as error:
+        say_error("", f"not a text in UTF-8 (byte {error.start})")
+        raise typer.Exit(PROBLEM) from None
     except BrokenPipeError:
         raise
     except OSError as error:
@@ -93,9 +96,7 @@ def _short_texts(column: Sequence[Any]) -> list[str]:
     """Give a column to look at: six digits, and zero for what is only round-off beside the column's largest."""
     floats = [abs(value) for value in column if isinstance(value, float)]
     least = 1e-12 * max(floats) if len(floats) == len(column) and floats else 0.0
-    return [
-        _short_text(0.0 if isinstance(value, float) and abs(value) < least else value) for value in column
-    ]
+    return [_short_text(0.0 if isinstance(value, float) and abs(value) < least else value) for value in column]
 
 
 def _short_text(value: Any) -> str:

@@ -12,6 +12,7 @@ import typer
 from carom.cli import options
 from carom.cli.folder import check_free, filling
 from carom.cli.output import PROBLEM, print_json, print_table, reporting, say_error
+from carom.errors import ScenarioError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -28,7 +29,8 @@ MARK = "run.json"
 NAMES = (*TABLES, FILM, MARK, *(f"{name}.{kind}" for name in FIGURES for kind in ("png", "svg", "pdf")))
 
 SAMPLES = 500
-LONGEST_FILM = 30.0
+MOST_SAMPLES = 1e7
+LONGEST_FILM = 20.0
 MOST_ROWS = 50
 SHOWN = ("time", "kind", "ball_a", "ball_b", "cushion", "x", "y", "closing_speed")
 
@@ -46,9 +48,7 @@ def run(
     method: Annotated[MethodName | None, typer.Option(help="How to compute it.", show_default=False)] = None,
     dt: Annotated[float | None, typer.Option(metavar="H", help="Time step; means --method stepped.")] = None,
     duration: options.Duration = None,
-    collisions: Annotated[
-        int | None, typer.Option(metavar="N", min=0, help="End after N collisions.")
-    ] = None,
+    collisions: Annotated[int | None, typer.Option(metavar="N", min=0, help="End after N collisions.")] = None,
     max_events: options.MaxEvents = None,
     settings: options.Settings = None,
     sample: Annotated[
@@ -112,6 +112,8 @@ def _write_data(run: Run, folder: Path, sample: float | None) -> list[str]:
         written.append("events.csv")
     if record == "all":
         step = sample or run.end_time / SAMPLES or 1.0
+        if run.end_time / step > MOST_SAMPLES:
+            raise ScenarioError([("--sample", f"{step:g} would make more than {MOST_SAMPLES:g} rows")])
         run.trajectory(run.sample_times(step)).to_csv(folder / "trajectory.csv")
         written.append("trajectory.csv")
     if run.steps is not None:
@@ -145,7 +147,7 @@ def _write_figures(run: Run, folder: Path, kinds: list[str]) -> list[str]:
 
 
 def _write_film(run: Run, folder: Path) -> list[str]:
-    """Write the film: at true speed, or as much faster as makes it last half a minute."""
+    """Write the film: at true speed, or as much faster as makes it last twenty seconds."""
     if run.scenario.to_dict().get("record", "all") != "all" or run.end_time == 0.0:
         return []
     from carom.animation import animate

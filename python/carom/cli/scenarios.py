@@ -16,9 +16,7 @@ from carom.errors import ScenarioError
 def scenarios(
     copy: Annotated[
         tuple[str, Path] | None,
-        typer.Option(
-            "--copy", metavar="NAME FILE", help="Write a ready-made scenario to a file.", show_default=False
-        ),
+        typer.Option("--copy", metavar="NAME FILE", help="Write a ready-made scenario to a file.", show_default=False),
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace FILE if it is there.")] = False,
     as_json: options.Json = False,

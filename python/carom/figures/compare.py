@@ -56,9 +56,7 @@ def plot_errors(comparison: Comparison, ax: Axes | None = None) -> Axes:
                 label=label,
                 zorder=3,
             )
-    _draw_guide(
-        ax, steps[good] if good.any() else steps[positive], errors[good] if good.any() else errors[positive]
-    )
+    _draw_guide(ax, steps[good] if good.any() else steps[positive], errors[good] if good.any() else errors[positive])
     ax.set_xscale("log")
     ax.set_yscale("log")
     style.tidy_axes(ax)

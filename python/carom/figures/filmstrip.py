@@ -134,12 +134,8 @@ def _new_axes(scene: Scene, frames: int) -> list[Axes]:
 def _label_scales(axes: Sequence[Axes], scene: Scene, *, in_row: bool) -> None:
     """Name the scales once, and keep their numbers only where the strip ends."""
     middle = axes[len(axes) // 2]
-    (middle if in_row else axes[-1]).set_xlabel(
-        scene.label("x", "length"), fontsize=style.TICK_SIZE, labelpad=1
-    )
-    (axes[0] if in_row else middle).set_ylabel(
-        scene.label("y", "length"), fontsize=style.TICK_SIZE, labelpad=2
-    )
+    (middle if in_row else axes[-1]).set_xlabel(scene.label("x", "length"), fontsize=style.TICK_SIZE, labelpad=1)
+    (axes[0] if in_row else middle).set_ylabel(scene.label("y", "length"), fontsize=style.TICK_SIZE, labelpad=2)
     for ax in axes[1:] if in_row else axes[:-1]:
         if in_row:
             ax.tick_params(left=False, labelleft=False)
@@ -205,9 +201,7 @@ def _draw_ghost_paths(ax: Axes, strip: Strip, time: float) -> None:
             lines = LineCollection(list(pieces), colors=colours, linewidths=1.0, capstyle="butt", zorder=1.5)
             ax.add_collection(lines, autolim=False)
         if np.ptp(goes[:, ball], axis=0).any():
-            ax.plot(
-                *goes[:, ball].T, color=colour, alpha=0.8, linewidth=0.9, linestyle=(0, (1, 2)), zorder=1.5
-            )
+            ax.plot(*goes[:, ball].T, color=colour, alpha=0.8, linewidth=0.9, linestyle=(0, (1, 2)), zorder=1.5)
 
 
 def _path_times(run: Run, start: float, end: float) -> NDArray[np.float64]:
@@ -246,16 +240,12 @@ def _draw_contact_axes(ax: Axes, strip: Strip) -> None:
         )
 
 
-def _length_inside(
-    scene: Scene, origin: NDArray[np.float64], direction: NDArray[np.float64], wanted: float
-) -> float:
+def _length_inside(scene: Scene, origin: NDArray[np.float64], direction: NDArray[np.float64], wanted: float) -> float:
     """Shorten a line from the contact until it and its name lie on the cloth."""
     inside = table_contains(scene)
     lengths = wanted * np.arange(1.0, 0.2, -0.05)
     room = 0.05 * scene.size
-    return next(
-        (float(x) for x in lengths if inside((origin + (x + room) * direction)[None])), float(lengths[-1])
-    )
+    return next((float(x) for x in lengths if inside((origin + (x + room) * direction)[None])), float(lengths[-1]))
 
 
 def _title(ax: Axes, strip: Strip, frame: int) -> str:

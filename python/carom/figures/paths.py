@@ -84,9 +84,7 @@ def _legend_marks() -> list[Line2D]:
     grey = style.FAINT_INK
     return [
         Line2D([], [], linestyle="none", marker="o", markersize=8, mfc="none", mec=grey, label="start"),
-        Line2D(
-            [], [], linestyle="none", marker="o", markersize=8, mfc=grey, mec=style.BALL_EDGE, label="end"
-        ),
+        Line2D([], [], linestyle="none", marker="o", markersize=8, mfc=grey, mec=style.BALL_EDGE, label="end"),
         *(
             Line2D([], [], linestyle="none", label=style.EVENT_WORDS[kind], **_mark(kind))
             for kind in ("ball_ball", "ball_cushion")
@@ -168,9 +166,7 @@ def _ring_points(run: Run, scene: Scene, events: list[Event]) -> NDArray[np.floa
     angles = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
     circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     drawn = [(0.0, ball) for ball in range(len(scene.ids))]
-    drawn += [
-        (event.time, scene.ids.index(b)) for event in events if event.kind == "ball_ball" for b in event.balls
-    ]
+    drawn += [(event.time, scene.ids.index(b)) for event in events if event.kind == "ball_ball" for b in event.balls]
     rings = [run.positions([time])[0, ball, :2] + scene.radii[ball] * circle for time, ball in drawn]
     return np.concatenate(rings)
 

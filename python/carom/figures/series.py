@@ -117,9 +117,7 @@ def _draw_balls(ax: Axes, scene: Scene, times: NDArray[np.float64], values: NDAr
     many = len(scene.ids) > MOST_NAMED
     names = ["each ball", *[""] * (len(scene.ids) - 1)] if many else scene.ids
     for ball, (name, colour) in enumerate(zip(names, map(style.line_colour, scene.colours), strict=True)):
-        ax.plot(
-            times, values[:, ball], color=colour, linewidth=0.9 if many else 1.3, label=name or None, zorder=2
-        )
+        ax.plot(times, values[:, ball], color=colour, linewidth=0.9 if many else 1.3, label=name or None, zorder=2)
 
 
 def _finish(ax: Axes, run: Run, scene: Scene, label: str, *, from_zero: bool) -> Axes:

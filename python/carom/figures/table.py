@@ -57,9 +57,7 @@ def draw_table(ax: Axes, scene: Scene, *, margin: float = MARGIN) -> None:
         )
         face = style.CLOTH if part == "boundary" else cushion
         ax.add_patch(
-            PathPatch(
-                path, fill=is_closed(path), facecolor=face, edgecolor=style.NOSE, linewidth=0.8, zorder=0.5
-            )
+            PathPatch(path, fill=is_closed(path), facecolor=face, edgecolor=style.NOSE, linewidth=0.8, zorder=0.5)
         )
     _frame_table(ax, scene, margin * scene.size)
 
@@ -206,9 +204,7 @@ def table_contains(scene: Scene) -> Any:
 
     def inside(points: NDArray[np.float64]) -> bool:
         points = points[np.all(np.isfinite(points), axis=1)]
-        held = [
-            path.contains_points(points) == (part == "boundary") for part, path in loops if is_closed(path)
-        ]
+        held = [path.contains_points(points) == (part == "boundary") for part, path in loops if is_closed(path)]
         return bool(np.all(held))
 
     return inside

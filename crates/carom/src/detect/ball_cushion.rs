@@ -50,24 +50,28 @@ pub fn detect_first_cushion<S: Scalar>(
     struck: usize,
     seen: &mut Surroundings<S>,
 ) -> Option<(usize, S)> {
-    let (mut first, mut rest) = (None, 0);
+    let (mut number, mut first, mut rest) = (usize::MAX, S::INFINITY, faces.all.as_slice());
     if let Some(room) = &faces.room
-        && let Some(found) = detect_wall(flight, radius, room, tolerance, struck)
+        && let Some((wall, offset)) = detect_wall(flight, radius, room, tolerance, struck)
     {
-        (first, rest) = (found, 4);
+        (number, first, rest) = (wall, offset, faces.others());
     }
-    for (number, face) in faces.all.iter().enumerate().skip(rest) {
-        if let Some(offset) = detect_ball_cushion(flight, radius, face, tolerance, number == struck, seen)
-            && first.is_none_or(|(_, earliest)| offset < earliest)
-        {
-            first = Some((number, offset));
+    if !rest.is_empty() {
+        let before = faces.all.len() - rest.len();
+        for (place, face) in rest.iter().enumerate() {
+            let place = before + place;
+            if let Some(offset) = detect_ball_cushion(flight, radius, face, tolerance, place == struck, seen)
+                && offset < first
+            {
+                (number, first) = (place, offset);
+            }
         }
     }
-    first
+    (first < S::INFINITY).then_some((number, first))
 }
 
-/// The first wall of a room; the outer `None` when the ball is so near to one other than the struck that they have to be
-/// looked at one by one.
+/// The first wall of a room, with an infinite offset if it never comes; `None` when the ball is so near to one other than
+/// the struck that they have to be looked at one by one.
 #[inline(always)]
 fn detect_wall<S: Scalar>(
     flight: &Flight<S>,
@@ -75,15 +79,13 @@ fn detect_wall<S: Scalar>(
     room: &Room<S>,
     tolerance: S,
     struck: usize,
-) -> Option<Option<(usize, S)>> {
+) -> Option<(usize, S)> {
     let (position, velocity) = (flight.position, flight.velocity);
     let below = position - room.lower;
     let above = room.upper - position;
     let across = along_axis([below.x - radius, above.x - radius], velocity.x, tolerance, [3, 1], struck)?;
     let along = along_axis([below.y - radius, above.y - radius], velocity.y, tolerance, [0, 2], struck)?;
-    let is_along = along.1 < across.1 || (along.1 == across.1 && along.0 < across.0);
-    let first = if is_along { along } else { across };
-    Some((first.1 < S::INFINITY).then_some(first))
+    Some(if across.1 < along.1 { across } else { along })
 }
 
 /// The wall that a ball meets on one axis, and when; `None` if it touches one other than the struck, or moves into that.
@@ -92,17 +94,17 @@ fn along_axis<S: Scalar>(
     [below, above]: [S; 2],
     velocity: S,
     tolerance: S,
-    walls: [usize; 2],
+    [lower, upper]: [usize; 2],
     struck: usize,
 ) -> Option<(usize, S)> {
-    let (wall, gap, speed) =
-        if velocity > S::ZERO { (walls[1], above, velocity) } else { (walls[0], below, -velocity) };
-    let behind = if velocity > S::ZERO { (walls[0], below) } else { (walls[1], above) };
-    let is_clear = |(wall, gap)| gap > tolerance || wall == struck;
-    if speed == S::ZERO {
-        return (is_clear((wall, gap)) && is_clear(behind)).then_some((wall, S::INFINITY));
+    let is_clear = |gap, wall| gap > tolerance || wall == struck;
+    if velocity > S::ZERO {
+        (above > tolerance && is_clear(below, lower)).then(|| (upper, above / velocity))
+    } else if velocity < S::ZERO {
+        (below > tolerance && is_clear(above, upper)).then(|| (lower, below / -velocity))
+    } else {
+        (is_clear(below, lower) && is_clear(above, upper)).then_some((lower, S::INFINITY))
     }
-    (gap > tolerance && is_clear(behind)).then_some((wall, gap / speed))
 }
 
 /// A line that the ball touches, or is behind, or approaches in a field.

@@ -1,13 +1,12 @@
 //! Sums over all balls: energy and momentum, and the audit of a run's energy.
 
 use super::discs::Discs;
-use crate::flight::Flight;
-use crate::geometry::Vec2;
+use crate::flight::{Flight, State};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Discs<S> {
     /// Position and velocity of a ball at a time not before its last event.
-    pub fn state_at(&self, ball: usize, time: S) -> (Vec2<S>, Vec2<S>) {
+    pub fn state_at(&self, ball: usize, time: S) -> State<S> {
         let flight = &self.flights[ball];
         let elapsed = time - flight.start;
         (flight.position_after(elapsed), flight.velocity_after(elapsed))

@@ -86,7 +86,8 @@ impl<S: Scalar> Discs<S> {
                 }
                 let (flight, held_by) = (self.flights[ball], self.tracks[ball].held_by);
                 let member = Member::new(ball, flight, held_by, time - flight.start);
-                if self.ball_gap(members[next].ball, members[next].position, ball, member.position) <= S::ONE {
+                if self.ball_gap(members[next].ball, members[next].position, ball, member.position) <= S::ONE
+                {
                     members.push(member);
                 }
             }
@@ -256,10 +257,8 @@ impl<S: Scalar> Discs<S> {
         contacts: &[Contact<S>],
         time: S,
     ) -> Vec<Event<S>> {
-        let mut bodies: Vec<Body<S>> = members
-            .iter()
-            .map(|m| Body::new(m.velocity, self.system.discs[m.ball].inverse_mass))
-            .collect();
+        let mut bodies: Vec<Body<S>> =
+            members.iter().map(|m| Body::new(m.velocity, self.system.discs[m.ball].inverse_mass)).collect();
         let mut touches: Vec<Touch<S>> = contacts.iter().map(|c| self.touch(c, members, time)).collect();
         self.resolve_normal(&mut bodies, &mut touches);
         if self.scale_tangential(&mut bodies, &touches, contacts, members, time) {

@@ -15,6 +15,9 @@ use std::sync::Arc;
 /// Events on one ball within the collapse time after which a run is given up.
 const BURST_LIMIT: u32 = 1000;
 
+/// The energy is summed at 2^k events, but not below sixteen: so short a run is summed at its end.
+const AUDIT_MASK: u64 = 15;
+
 /// What a ball's next event is with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
@@ -58,6 +61,8 @@ pub struct Discs<S> {
     pub(super) queue: Queue<S>,
     pub(super) diagnostics: Diagnostics,
     pub(super) has_field: bool,
+    /// Neither a field nor thin walls: prediction takes a shorter way.
+    pub(super) is_plain: bool,
     pub(super) fault: Option<Fault>,
 }
 
@@ -97,6 +102,7 @@ impl<S: Scalar> Discs<S> {
             queue: Queue::new(flights.len()),
             diagnostics: Diagnostics::default(),
             has_field: system.field != Vec2::ZERO,
+            is_plain: system.field == Vec2::ZERO && !system.has_backs,
             fault: None,
             system,
             flights,
@@ -124,7 +130,7 @@ impl<S: Scalar> Discs<S> {
     pub fn step(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
         loop {
             let (ball, time) = self.queue.first();
-            if !(time <= limit) || time == S::INFINITY {
+            if time > limit || time == S::INFINITY {
                 return None;
             }
             let Pending { offset, target, .. } = self.pending[ball];
@@ -173,7 +179,8 @@ impl<S: Scalar> Discs<S> {
     pub(super) fn emit(&mut self, event: &Event<S>, observer: &mut impl Observer<S>) {
         self.diagnostics.count(event.kind);
         observer.event(event);
-        if self.diagnostics.total_events().is_power_of_two() {
+        let events = self.diagnostics.total_events();
+        if events & AUDIT_MASK == 0 && events.is_power_of_two() {
             self.audit(event.time);
         }
     }

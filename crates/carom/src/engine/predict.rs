@@ -2,8 +2,8 @@
 
 use super::discs::{Discs, Fault, Pending, Target};
 use crate::detect::{
-    Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_first_cushion, detect_from_behind,
-    detect_release,
+    Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_first_cushion,
+    detect_from_behind, detect_release,
 };
 use crate::geometry::Vec2;
 use crate::model::Face;
@@ -27,33 +27,44 @@ impl<S: Scalar> Discs<S> {
     }
 
     /// Finds a ball's next event, and says whether it touches anything but `struck`, which it has just been in contact with.
-    #[inline]
+    #[inline(always)]
     pub(super) fn predict(&mut self, ball: usize, struck: Target) -> bool {
+        if self.is_plain { self.predict_plain(ball, struck) } else { self.predict_any(ball, struck) }
+    }
+
+    /// Without field and thin walls: every flight is straight, and no cushion holds or hides a ball.
+    fn predict_plain(&mut self, ball: usize, struck: Target) -> bool {
+        let mut seen = Surroundings::CLEAR;
+        let next = self.next_cushion_straight(ball, struck, &mut seen);
+        let next = self.next_ball::<true>(ball, struck, next, &mut seen);
+        self.schedule(ball, next, &seen)
+    }
+
+    #[inline(never)]
+    fn predict_any(&mut self, ball: usize, struck: Target) -> bool {
         let mut seen = Surroundings::CLEAR;
         let next = self.next_cushion(ball, struck, &mut seen);
-        let next = if self.has_field {
-            let next = self.next_ball::<false>(ball, struck, next, &mut seen);
-            if self.tracks[ball].is_held() { self.earlier_release(ball, next) } else { next }
-        } else {
-            self.next_ball::<true>(ball, struck, next, &mut seen)
-        };
+        let next = self.next_ball::<false>(ball, struck, next, &mut seen);
+        let next = if self.tracks[ball].is_held() { self.earlier_release(ball, next) } else { next };
+        self.schedule(ball, next, &seen)
+    }
+
+    #[inline(always)]
+    fn schedule(&mut self, ball: usize, next: Pending<S>, seen: &Surroundings<S>) -> bool {
         self.pending[ball] = next;
         self.queue.set(ball, next.time, rank(ball, next.target));
         self.diagnostics.predictions += 1;
         if seen.overlap > S::ZERO {
-            self.note_overlap(ball, &seen);
+            self.note_overlap(ball, seen);
         }
         seen.touching
     }
 
-    /// The first cushion that a ball meets. `seen` is what it sees on the way.
+    /// The first cushion that a ball meets on a straight flight. `seen` is what it sees on the way.
     #[inline(always)]
-    fn next_cushion(&self, ball: usize, struck: Target, seen: &mut Surroundings<S>) -> Pending<S> {
+    fn next_cushion_straight(&self, ball: usize, struck: Target, seen: &mut Surroundings<S>) -> Pending<S> {
         let system = &*self.system;
         let flight = &self.flights[ball];
-        if system.has_backs || self.has_field {
-            return self.next_cushion_in_field(ball, struck, seen);
-        }
         let radius = system.discs[ball].radius;
         let struck = if let Target::Cushion(cushion) = struck { cushion as usize } else { usize::MAX };
         let tolerance = system.tolerance.of(radius);
@@ -65,9 +76,8 @@ impl<S: Scalar> Discs<S> {
         }
     }
 
-    /// The same for a ball in a field, where a cushion may hold it, or on a table with thin walls.
-    #[inline(never)]
-    fn next_cushion_in_field(&self, ball: usize, struck: Target, seen: &mut Surroundings<S>) -> Pending<S> {
+    /// The first cushion that a ball meets: one that holds it, or is the other face of its thin wall, is passed over.
+    fn next_cushion(&self, ball: usize, struck: Target, seen: &mut Surroundings<S>) -> Pending<S> {
         let system = &*self.system;
         let flight = &self.flights[ball];
         let radius = system.discs[ball].radius;

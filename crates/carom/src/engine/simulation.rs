@@ -2,7 +2,7 @@
 
 use super::discs::{Discs, Fault, Target};
 use crate::detect::cushion_gap;
-use crate::geometry::Vec2;
+use crate::flight::State;
 use crate::run::{Kind, Log, Observer, Run, SimulationError, Status};
 use crate::scalar::Scalar;
 use crate::scenario::System;
@@ -250,7 +250,7 @@ impl<S: Scalar> Simulation<S> {
     }
 
     /// Position and velocity of each ball at the present time.
-    pub fn state(&self) -> Vec<(Vec2<S>, Vec2<S>)> {
+    pub fn state(&self) -> Vec<State<S>> {
         (0..self.discs.flights.len()).map(|ball| self.discs.state_at(ball, self.time)).collect()
     }
 

@@ -6,7 +6,7 @@
 use super::cluster::Struck;
 use super::discs::{Discs, Target};
 use crate::detect::cushion_gap;
-use crate::flight::Flight;
+use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::ball_ball::Pair;
 use crate::law::ball_cushion::Rebound;
@@ -170,7 +170,7 @@ impl<S: Scalar> Discs<S> {
 
 /// Position and velocity an `offset` after `start`, which is not before the flight's own start.
 #[inline(always)]
-fn state_after<S: Scalar>(flight: &Flight<S>, start: S, offset: S) -> (Vec2<S>, Vec2<S>) {
+fn state_after<S: Scalar>(flight: &Flight<S>, start: S, offset: S) -> State<S> {
     let elapsed = start - flight.start;
     let from_start = Flight {
         start,

@@ -6,6 +6,9 @@
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;
 
+/// A disc's position and velocity at some moment.
+pub type State<S> = (Vec2<S>, Vec2<S>);
+
 /// A disc's closed-form motion since its own last event. Nothing but an event of that disc replaces it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flight<S> {

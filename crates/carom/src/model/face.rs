@@ -63,6 +63,13 @@ impl<S: Scalar> Faces<S> {
         let room = Room::of(&all);
         Self { all, room }
     }
+
+    /// The faces that are not walls of the room.
+    #[inline(always)]
+    pub fn others(&self) -> &[Face<S>] {
+        let walls = if self.room.is_some() { 4 } else { 0 };
+        self.all.get(walls..).unwrap_or_default()
+    }
 }
 
 impl<S: Scalar> Room<S> {

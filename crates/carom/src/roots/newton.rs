@@ -17,14 +17,15 @@ pub(super) fn falling_root<S: Scalar>(
     evaluate: impl Fn(S) -> (S, S),
     rounding: impl Fn(S) -> f64,
 ) -> S {
-    let root = standing_point(lo, hi, &evaluate, rounding);
+    let root = standing_point(lo, hi, &evaluate, &rounding);
     let (value, slope) = evaluate(root);
-    let step = value / slope;
-    let polished = root - step;
-    if polished >= lo && polished <= hi {
+    let polished = root - value / slope;
+    let is_in_bracket = polished >= lo && polished <= hi;
+    if is_in_bracket && sign(evaluate(polished.detached()).0, rounding(polished)) == Sign::Unclear {
         return polished;
     }
-    // The slope is lost in rounding: keep the point, and its derivative, infinite where the slope is zero.
+    // The slope is lost in rounding and the step leads astray: keep the point. Its derivative is whatever the slope
+    // makes of it, infinite where that is zero.
     let change = value - value.detached();
     let kept = if slope == S::ZERO { root - change.sqrt() } else { root - change / slope };
     if kept == root { kept } else { root }
@@ -65,6 +66,7 @@ fn standing_point<S: Scalar>(
 
 /// A point well inside the bracket: halfway, or a few powers of two down while the ends differ by many.
 fn midpoint<S: Scalar>(lo: S, hi: S) -> S {
-    if hi > S::from_f64(64.0) * lo { hi * S::from_f64(0.0625) } else { lo + (hi - lo) * S::from_f64(0.5) }
-        .detached()
+    let is_wide = hi > S::from_f64(64.0) * lo;
+    let middle = if is_wide { hi * S::from_f64(0.0625) } else { lo + (hi - lo) * S::from_f64(0.5) };
+    middle.detached()
 }

@@ -302,13 +302,12 @@ fn step_columns(steps: &Steps<f64>) -> StepColumns {
 impl StepColumns {
     fn steps(self) -> Steps<f64> {
         let ball = |[x, y, vx, vy]: [f64; 4]| (Vec2::new(x, y), Vec2::new(vx, vy));
-        let hit = |hit: Option<(f64, Kind)>| hit.map(|(after, kind)| Hit { after, kind });
-        let rows = self.time.into_iter().zip(self.state).zip(self.hits);
-        let step = |((time, state), hits): ((f64, Vec<[f64; 4]>), Vec<Option<(f64, Kind)>>)| Step {
-            time,
-            balls: state.into_iter().map(ball).collect(),
-            hits: hits.into_iter().map(hit).collect(),
+        let hit = |hit: &Option<(f64, Kind)>| hit.map(|(after, kind)| Hit { after, kind });
+        let step = |k: usize| Step {
+            time: self.time[k],
+            balls: self.state[k].iter().copied().map(ball).collect(),
+            hits: self.hits[k].iter().map(hit).collect(),
         };
-        Steps { steps: rows.map(step).collect(), lost_time: self.lost_time }
+        Steps { steps: (0..self.time.len()).map(step).collect(), lost_time: self.lost_time }
     }
 }

@@ -5,7 +5,7 @@ use super::digest::{Digest, digest};
 use super::observer::Log;
 use super::status::Status;
 use super::steps::Steps;
-use crate::flight::Flight;
+use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;
 use crate::scenario::System;
@@ -121,7 +121,7 @@ impl<S: Scalar> Run<S> {
     }
 
     /// Position and velocity of each ball at a time from 0 to the end (or later, when everything rests).
-    pub fn state(&self, time: S) -> Result<Vec<(Vec2<S>, Vec2<S>)>, QueryError> {
+    pub fn state(&self, time: S) -> Result<Vec<State<S>>, QueryError> {
         self.check_time(time)?;
         if let Some(steps) = &self.steps {
             return Ok(steps.state(time));
@@ -130,7 +130,7 @@ impl<S: Scalar> Run<S> {
     }
 
     /// Position and velocity of each ball at the end.
-    pub fn final_state(&self) -> Vec<(Vec2<S>, Vec2<S>)> {
+    pub fn final_state(&self) -> Vec<State<S>> {
         match &self.steps {
             Some(steps) => steps.state(self.end_time),
             None => self.balls.iter().map(|(flight, _)| after(flight, self.end_time)).collect(),
@@ -195,7 +195,7 @@ impl<S: Scalar> Run<S> {
     }
 }
 
-fn after<S: Scalar>(flight: &Flight<S>, time: S) -> (Vec2<S>, Vec2<S>) {
+fn after<S: Scalar>(flight: &Flight<S>, time: S) -> State<S> {
     let elapsed = time - flight.start;
     (flight.position_after(elapsed), flight.velocity_after(elapsed))
 }

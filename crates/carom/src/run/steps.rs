@@ -1,7 +1,7 @@
 //! The steps of the fixed-step method, and the state between them.
 
 use super::event::Kind;
-use crate::geometry::Vec2;
+use crate::flight::State;
 use crate::scalar::Scalar;
 
 /// A ball's hit in a step.
@@ -19,7 +19,7 @@ pub struct Step<S> {
     /// When it begins.
     pub time: S,
     /// Position and velocity of each ball then.
-    pub balls: Vec<(Vec2<S>, Vec2<S>)>,
+    pub balls: Vec<State<S>>,
     /// Each ball's hit in the step.
     pub hits: Vec<Option<Hit<S>>>,
 }
@@ -34,8 +34,8 @@ pub struct Steps<S> {
 }
 
 impl<S: Scalar> Steps<S> {
-    /// Position and velocity of each ball at a time within the run.
-    pub fn state(&self, time: S) -> Vec<(Vec2<S>, Vec2<S>)> {
+    /// Position and velocity of each ball at a time within the run; at a hit's own time, those after it.
+    pub fn state(&self, time: S) -> Vec<State<S>> {
         let later = self.steps.partition_point(|step| step.time <= time).max(1);
         let step = &self.steps[later - 1];
         let next = self.steps.get(later);
@@ -43,7 +43,7 @@ impl<S: Scalar> Steps<S> {
         let state = |ball: usize| {
             let (position, velocity) = step.balls[ball];
             match (step.hits[ball], next) {
-                (Some(hit), Some(next)) if elapsed >= hit.after => next.balls[ball],
+                (Some(hit), Some(next)) if time >= step.time + hit.after => next.balls[ball],
                 _ => (position + velocity * elapsed, velocity),
             }
         };

@@ -1,6 +1,7 @@
 //! A checked scenario made ready to compute.
 
 use super::layout::Number;
+use super::path::Key;
 use super::schema::{self, Cluster, Collapse, Scenario};
 use super::start::BallStart;
 use crate::flight::Flight;
@@ -117,7 +118,7 @@ struct CushionLaws<S> {
 impl<S: Scalar> CushionLaws<S> {
     fn new(physics: &schema::Physics, number: Number<'_, S>) -> Self {
         let own = |(id, law): (&String, &schema::BallCushion)| {
-            (id.clone(), cushion_law(&format!("physics.cushions.{id}"), law, number))
+            (id.clone(), cushion_law(&format!("physics.cushions.{}", Key(id)), law, number))
         };
         Self {
             own: physics.cushions.iter().map(own).collect(),

@@ -1,5 +1,6 @@
 //! What could be hit within a step, and when.
 
+use crate::flight::State;
 use crate::geometry::Vec2;
 use crate::law::ball_cushion;
 use crate::model::Disc;
@@ -90,7 +91,7 @@ impl<S: Scalar> Walls<S> {
 /// All candidates of a step of length `length`, in the order in which they are considered: by time; at equal times
 /// balls before walls, then by ball, then by axis.
 pub fn candidates<S: Scalar>(
-    balls: &[(Vec2<S>, Vec2<S>)],
+    balls: &[State<S>],
     discs: &[Disc<S>],
     walls: &Walls<S>,
     length: S,
@@ -118,7 +119,7 @@ pub fn candidates<S: Scalar>(
 }
 
 /// The course's `getdtBall`: two balls that approach and would overlap at the end of the step.
-fn ball_candidate<S: Scalar>([a, b]: [(Vec2<S>, Vec2<S>); 2], radii: S, length: S) -> Option<S> {
+fn ball_candidate<S: Scalar>([a, b]: [State<S>; 2], radii: S, length: S) -> Option<S> {
     let (separation, relative) = (a.0 - b.0, a.1 - b.1);
     let tentative = (a.0 + a.1 * length) - (b.0 + b.1 * length);
     if tentative.norm() > radii || separation.dot(relative) >= S::ZERO {
@@ -136,7 +137,7 @@ fn ball_candidate<S: Scalar>([a, b]: [(Vec2<S>, Vec2<S>); 2], radii: S, length: 
 
 /// The course's `getdt`, for each axis on which the ball would leave the box while moving outwards.
 fn wall_candidates<S: Scalar>(
-    (position, velocity): (Vec2<S>, Vec2<S>),
+    (position, velocity): State<S>,
     radius: S,
     walls: &Walls<S>,
     length: S,

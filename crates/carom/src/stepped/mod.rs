@@ -9,7 +9,7 @@
 
 mod candidate;
 
-use crate::flight::Flight;
+use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::ball_ball::{self, Pair};
 use crate::law::ball_cushion;
@@ -37,9 +37,11 @@ pub struct Readings<S> {
     pub last_step: LastStep,
 }
 
+/// Steps between two looks at whether a run should be broken off.
+const SLICE: usize = 4096;
+
 /// When a stepped run ends: at the first of these.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ends<S> {
+pub struct Ends<'a, S> {
     /// Duration; infinity for none.
     pub duration: S,
     /// Number of steps.
@@ -50,6 +52,8 @@ pub struct Ends<S> {
     pub events: u64,
     /// The kind of event to stop at.
     pub until: Option<Kind>,
+    /// Says, when asked now and then, whether the run is to be broken off.
+    pub interrupted: &'a mut dyn FnMut() -> bool,
 }
 
 /// Runs a system on a `width` x `length` rectangle.
@@ -57,7 +61,7 @@ pub fn run<S: Scalar>(
     system: Arc<System<S>>,
     [width, length]: [S; 2],
     readings: &Readings<S>,
-    ends: &Ends<S>,
+    ends: &mut Ends<'_, S>,
     log: Log<S>,
 ) -> Run<S> {
     let mut scheme = Scheme::new(system, [width, length], *readings, log);
@@ -77,7 +81,7 @@ struct Scheme<S> {
     /// Time at which the present sequence of full steps began, and steps made since.
     clock: (S, u64),
     time: S,
-    balls: Vec<(Vec2<S>, Vec2<S>)>,
+    balls: Vec<State<S>>,
     steps: Steps<S>,
     log: Log<S>,
     diagnostics: Diagnostics,
@@ -101,7 +105,7 @@ impl<S: Scalar> Scheme<S> {
         scheme
     }
 
-    fn ending(&self, ends: &Ends<S>) -> Option<Status> {
+    fn ending(&self, ends: &mut Ends<'_, S>) -> Option<Status> {
         let stopped = ends.until.is_some_and(|kind| self.diagnostics.events[kind as usize] > 0);
         let round_off = self.readings.dt * S::from_f64(ROUND_OFF);
         if stopped {
@@ -112,6 +116,8 @@ impl<S: Scalar> Scheme<S> {
             Some(Status::TimeLimit)
         } else if self.diagnostics.total_events() >= ends.events {
             Some(Status::EventLimit)
+        } else if self.steps.steps.len() % SLICE == SLICE - 1 && (ends.interrupted)() {
+            Some(Status::Interrupted)
         } else {
             None
         }

@@ -105,9 +105,13 @@ pub fn tables() -> Vec<(&'static str, Value)> {
         ("wedge", with(rectangle(2.0, 2.0), vec![wedge])),
         ("divider", with(rectangle(2.0, 2.0), vec![divider])),
         ("walls", with(rectangle(2.0, 2.0), vec![slanted])),
-        ("ring", with(json!({ "shape": "circle", "radius": 1.0 }), vec![
-            json!({ "circle": { "center": [0.3, 0.1], "radius": 0.35 } }),
-        ])),
+        (
+            "ring",
+            with(
+                json!({ "shape": "circle", "radius": 1.0 }),
+                vec![json!({ "circle": { "center": [0.3, 0.1], "radius": 0.35 } })],
+            ),
+        ),
     ]
 }
 

@@ -45,7 +45,8 @@ fn is_same(exact: &Exact, gap: &Polynomial<f64>, found: f64, at: f64) -> bool {
 fn candidates(exact: &Exact, gap: &Polynomial<f64>) -> (Vec<f64>, bool) {
     let crossings = exact.crossings();
     let end = |i: usize| crossings.get(i).map(|c: &Crossing| c.at.to_f64());
-    let mut front = if gap.coefficients[0] > 0.0 { Clarity::Clear } else { Clarity::Hidden };
+    let starts_in_front = crossings.first().is_some_and(|c| c.is_falling);
+    let mut front = if starts_in_front { clarity(exact, gap, 0.0, end(0).unwrap()) } else { Clarity::Hidden };
     let mut possible = Vec::new();
     for (i, crossing) in crossings.iter().enumerate() {
         let from = crossing.at.to_f64();
@@ -102,8 +103,19 @@ fn short() -> impl Strategy<Value = f64> {
     (-400..400i32).prop_map(|n| f64::from(n) / 64.0)
 }
 
+#[test]
+fn last_newton_step_never_leaves_a_cluster() {
+    // Near the cluster both value and slope are rounding, and their quotient may be anything.
+    for coefficients in [
+        [-3852.239839896145, 1957.4126830380733, -372.77863608187755, 31.536662520960483, -1.0],
+        [57932300.96555239, -65494789.88823188, 26638308.275642466, -4508335.11078602, 253482.5301184396],
+    ] {
+        check(coefficients).unwrap();
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(ProptestConfig::with_cases(60))]
 
     #[test]
     fn four_separate_real_roots(roots in [root(), root(), root(), root()], factor in factor()) {

@@ -25,7 +25,7 @@ pub enum Method {
         /// What the last step does where the duration is no multiple of `dt`; absent: short.
         #[serde(default, skip_serializing_if = "is_default")]
         last_step: LastStep,
-        /// How many steps to make at most, in place of `duration` or beside it.
+        /// How many full steps to make; given, it decides the end in place of `duration`.
         #[serde(skip_serializing_if = "Option::is_none")]
         #[schemars(range(max = 9_223_372_036_854_775_807_u64))]
         steps: Option<u64>,

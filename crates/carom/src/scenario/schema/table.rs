@@ -108,7 +108,7 @@ pub enum Obstacle {
         #[serde(skip_serializing_if = "Option::is_none")]
         id: Option<String>,
     },
-    /// A closed path, drawn clockwise, so that the table lies to its left: cushions "<obstacle>.<piece>".
+    /// A closed path, drawn clockwise, so that the table lies to its left: cushions such as `obstacle0.2`.
     Path {
         /// The pieces in order.
         #[schemars(length(min = 1))]
@@ -117,7 +117,7 @@ pub enum Obstacle {
         #[serde(skip_serializing_if = "Option::is_none")]
         id: Option<String>,
     },
-    /// A thin wall, hit from both sides: cushion "<obstacle>.a" to the left of its direction, "<obstacle>.b" to the
+    /// A thin wall, hit from both sides: cushion `obstacle0.a` to the left of its direction, `obstacle0.b` to the
     /// right.
     Wall {
         /// First and last point, [[x, y], [x, y]], in length.

@@ -1,0 +1,38 @@
+"""What the README shows is true: its Python runs, its scenario is the midterm, the paths it names exist."""
+
+import re
+from pathlib import Path
+
+import carom
+
+ROOT = Path(__file__).parents[1]
+TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def block(language: str) -> str:
+    """The text of the one block in a language."""
+    (found,) = re.findall(rf"```{language}\n(.*?)```", TEXT, re.DOTALL)
+    return found
+
+
+def test_python_block_runs():
+    names: dict = {}
+    exec(block("python"), names)
+    assert names["run"].status == "time_limit"
+    assert names["variant"].value("balls.red.velocity[0]") == 3.1
+
+
+def test_scenario_block_is_the_midterm():
+    assert carom.Scenario.from_toml(block("toml")).run().digest == carom.load("midterm").run().digest
+
+
+def test_files_that_it_names_exist():
+    paths = re.findall(r"`([A-Za-z]+(?:/[A-Za-z_.]+)+|[A-Z-]+(?:\.md)?)`", TEXT) + re.findall(r"\]\((\S+?)\)", TEXT)
+    assert len(paths) > 4
+    for path in paths:
+        assert (ROOT / path).exists(), path
+
+
+def test_number_of_ready_made_scenarios_is_right():
+    words = {17: "seventeen", 18: "eighteen", 19: "nineteen", 20: "twenty"}
+    assert f"holds {words[len(carom.scenarios())]} files" in TEXT.replace("\n", " ")
