@@ -2,8 +2,8 @@
 
     make bench
 
-A full recorded run of the course exercise, call included; then gases of 2, 20 and 200 elastic discs in a square, the same
-start in both programs, in alternation. Medians are printed; the ratio is what to quote.
+A full recorded run of the course exercise, call included; then gases of 2, 20 and 200 elastic discs in a square, the
+same start in both programs, in alternation. Medians are printed; the ratio is what to quote.
 """
 
 import random
@@ -11,6 +11,7 @@ import statistics
 import time
 
 import billiards
+
 import carom
 
 REPEATS = 7
@@ -52,9 +53,7 @@ def carom_gas(balls, end):
         {
             "duration": end,
             "table": {"shape": "rectangle", "width": 1.0, "length": 1.0},
-            "balls": [
-                {"id": f"b{k}", "position": x, "velocity": v, "radius": r} for k, (x, v, r) in enumerate(balls)
-            ],
+            "balls": [{"id": f"b{k}", "position": x, "velocity": v, "radius": r} for k, (x, v, r) in enumerate(balls)],
         }
     )
     return lambda: len(scenario.run().events)
