@@ -70,7 +70,7 @@ fn first_hits_come_at_their_closed_form_times() {
     let run = simulate(&midterm()).unwrap();
     assert_eq!(run.status, Status::TimeLimit);
     assert_eq!(run.log.events.len(), 12);
-    let first = [0.275, 0.5015625, 0.661_067_708_333_333_3, 0.864_725_500_820_185_9];
+    let first = [0.275, 0.5015625, 0.661_067_708_333_333_3, 0.864_725_500_820_186];
     for (event, expected) in run.log.events.iter().zip(first) {
         assert!((event.time / expected - 1.0).abs() < 1e-14, "{} for {expected}", event.time);
     }
