@@ -109,7 +109,6 @@ fn the_mirror_image_runs_as_the_scene_does() {
             velocity.x = -velocity.x;
         }
         let far = difference(&found, &run_for([WIDTH, LENGTH], &balls, time).final_state(), 1.0, 1.0);
-        println!("mirror, seed {seed}: {far:e}");
         // 1e-16 grows by some 2 l/r = 10 to 30 in each meeting of balls, of which each has about four: 1e-16 · 30^4 = 1e-10.
         assert!(far < 1e-9, "seed {seed}: {far:e}");
     }
@@ -135,7 +134,6 @@ fn scaling_by_a_thousand_changes_round_off_only() {
         let found =
             run_for([WIDTH * 1000.0, LENGTH * 1000.0], &scaled(&balls, 1000.0, 1.0), end).final_state();
         let far = difference(&found, &known, 1000.0, 1000.0);
-        println!("thousand, seed {seed}: {far:e}");
         // As for the mirror image.
         assert!(far < 1e-9, "seed {seed}: {far:e}");
     }
@@ -163,7 +161,6 @@ fn time_turned_round_brings_every_ball_back() {
             })
             .collect();
         let far = difference(&back, &first, 1.0, 1.0);
-        println!("reversal, seed {seed}: {far:e}");
         // Two meetings there and two back: 1e-16 · 30^4 = 1e-10.
         assert!(far < 1e-9, "seed {seed}: {far:e}");
     }
