@@ -180,7 +180,7 @@ fn jointed() -> Vec<(String, Value, Vec<[f64; 2]>)> {
 #[test]
 fn a_point_never_leaks_through_a_joint() {
     for (name, table, _) in jointed() {
-        let events = if name.starts_with("bent") { 40_000 } else { 250_000 };
+        let events = if name.starts_with("bent") { 200_000 } else { 1_000_000 };
         assert_stays(&name, &table, [0.123, 0.045], [0.86, 0.51], events);
     }
 }
