@@ -52,9 +52,7 @@ def carom_gas(balls, end):
         {
             "duration": end,
             "table": {"shape": "rectangle", "width": 1.0, "length": 1.0},
-            "balls": [
-                {"id": f"b{k}", "position": x, "velocity": v, "radius": r} for k, (x, v, r) in enumerate(balls)
-            ],
+            "balls": [{"id": f"b{k}", "position": x, "velocity": v, "radius": r} for k, (x, v, r) in enumerate(balls)],
         }
     )
     return lambda: len(scenario.run().events)
