@@ -2,8 +2,8 @@
 
     make bench
 
-A full recorded run of the course exercise, call included; then gases of 2, 20 and 200 elastic discs in a square, the same
-start in both programs, in alternation. Medians are printed; the ratio is what to quote.
+A full recorded run of the course exercise, call included; then gases of 2, 20 and 200 elastic discs in a square, the
+same start in both programs, in alternation. Medians are printed; the ratio is what to quote.
 """
 
 import random
@@ -11,6 +11,7 @@ import statistics
 import time
 
 import billiards
+
 import carom
 
 REPEATS = 7
