@@ -52,9 +52,10 @@ format: $(VENV)/.tools ## Format the code, and mend what the linter can mend
 	$(BIN)/ruff format .
 	$(BIN)/ruff check --fix .
 
-bench: ## Measure the engine
-	@$(need_rust)
+bench: build ## Measure the engine, the package, and python-billiards beside it
 	$(CARGO) bench --locked -p carom
+	$(BIN)/python -m pip install --quiet --group bench
+	$(BIN)/python benches/python.py
 
 digests: ## Mint the golden digests of the scenarios anew: make digests REASON="..."
 	@$(need_rust)

@@ -28,7 +28,7 @@ def options_json(options: Mapping[str, Any]) -> str:
     given = {name: value for name, value in options.items() if value is not None}
     for name, value in given.items():
         _CHECKS.get(name, _unknown)(name, value)
-    return to_json(given)
+    return to_json(given) if given else "{}"
 
 
 def _whole(name: str, value: object) -> None:

@@ -57,8 +57,6 @@ class Run:
         ``event_limit`` or ``interrupted``.
     end_time : float
         The time at which it ended.
-    digest : str or None
-        A hash over its final state; equal digests mean equal bits. None where a number in it is NaN.
     ball_ids : list of str
         The ids of the balls, in the order of every array's ball axis.
     physics_version : int
@@ -69,9 +67,13 @@ class Run:
         self._native = native
         self.status = native.status
         self.end_time = native.end_time
-        self.digest = native.digest
         self.ball_ids = native.ball_ids
         self.physics_version = native.physics_version
+
+    @cached_property
+    def digest(self) -> str | None:
+        """A hash over the final state; equal digests mean equal bits. None where a number in it is NaN."""
+        return self._native.digest
 
     @cached_property
     def scenario(self) -> Scenario:

@@ -162,8 +162,7 @@ fn rerun_part(
             simulation.stop(Status::Interrupted);
         }
     }
-    simulation.run_until(saved.end_time, &mut log)?;
-    simulation.stop(saved.status);
+    simulation.stop_at(saved.status, saved.end_time, &mut log)?;
     Ok(simulation.finish(log))
 }
 

@@ -58,6 +58,7 @@ pub fn detect_ball_ball<const STRAIGHT: bool, S: Scalar>(
     let gap = relative.position.norm_squared() - radii.squared();
     let tolerance = S::from_f64(2.0) * radii * tolerance.of(radii);
     if gap <= tolerance || (!STRAIGHT && a.acceleration != b.acceleration) {
+        let tolerance = tolerance + rounding_of_time(a, b, &relative, radii);
         if gap <= tolerance {
             note_contact(gap, radii, tolerance, struck, seen);
         }
@@ -65,6 +66,15 @@ pub fn detect_ball_ball<const STRAIGHT: bool, S: Scalar>(
     }
     let slope = relative.position.dot(relative.velocity);
     if slope < S::ZERO { straight_meeting(&relative, slope, gap, radii) } else { None }
+}
+
+/// What the rounding of the starts of two flights may have taken from their squared gap: late in a run it is more than
+/// the contact tolerance, for a third ball that was just not touched by two that met.
+#[cold]
+fn rounding_of_time<S: Scalar>(a: &Flight<S>, b: &Flight<S>, relative: &Relative<S>, radii: S) -> S {
+    let start = if a.start > b.start { a.start } else { b.start };
+    let speed = closing_threshold(relative.speeds[0], relative.speeds[1]);
+    S::from_f64(2.0) * radii * speed * start.abs()
 }
 
 /// Two balls that touch, or whose accelerations differ.

@@ -1,7 +1,7 @@
 //! Sums over all balls: energy and momentum, and the audit of a run's energy.
 
 use super::discs::Discs;
-use crate::flight::State;
+use crate::flight::{Flight, State};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Discs<S> {
@@ -26,6 +26,15 @@ impl<S: Scalar> Discs<S> {
     /// Whether no ball moves, now or later.
     pub fn is_at_rest(&self) -> bool {
         self.flights.iter().all(|flight| flight.is_rest())
+    }
+
+    /// Whether all balls that move would need more time to cross the table than a number can hold.
+    pub fn is_slower_than_time(&self) -> bool {
+        let across = |flight: &Flight<S>| {
+            let speed = flight.velocity.x.abs() + flight.velocity.y.abs();
+            flight.start + self.system.tolerance.table_size() / speed
+        };
+        self.flights.iter().all(|f| f.is_rest() || (f.is_straight() && !across(f).is_finite()))
     }
 
     /// Sums the energy and notes how far it is from what the laws account for.

@@ -9,8 +9,15 @@ use crate::scalar::Scalar;
 
 impl<S: Scalar> Discs<S> {
     /// Holds a ball on those of the cushions it touches from which its next bounce would last less than t_c: its normal
-    /// velocity becomes zero and its acceleration the projection on the cushion. Says whether any holds it.
-    pub(super) fn settle(&mut self, ball: usize, touched: &[u32], observer: &mut impl Observer<S>) -> bool {
+    /// velocity becomes zero and its acceleration the projection on the cushion. Says whether any holds it; the log has a
+    /// row for each that did not before.
+    pub(super) fn settle(
+        &mut self,
+        ball: usize,
+        touched: &[u32],
+        held_by: [Option<u32>; 2],
+        observer: &mut impl Observer<S>,
+    ) -> bool {
         if !self.has_field {
             return false;
         }
@@ -18,8 +25,10 @@ impl<S: Scalar> Discs<S> {
         for place in 0..2 {
             let Some((cushion, line)) = self.pressing(ball, &flight, touched) else { break };
             self.tracks[ball].held_by[place] = Some(cushion);
-            let lost = lay(&mut flight, &line);
+            let mut lost = lay(&mut flight, &line);
+            self.drop_round_off(&mut flight);
             if place == 1 {
+                lost += S::from_f64(0.5) * flight.velocity.norm_squared();
                 (flight.velocity, flight.acceleration) = (Vec2::ZERO, Vec2::ZERO);
             }
             let disc = self.system.discs[ball];
@@ -37,9 +46,27 @@ impl<S: Scalar> Discs<S> {
                 cluster: None,
             };
             self.flights[ball] = flight;
-            self.emit(&event, observer);
+            if !held_by.contains(&Some(cushion)) {
+                self.emit(&event, observer);
+            }
         }
         self.tracks[ball].is_held()
+    }
+
+    /// Drops what is left of the acceleration and velocity of a ball that lies on a cushion across the field, where it is
+    /// nothing but round-off: of the field, and of the speed of a fall across the table.
+    fn drop_round_off(&self, flight: &mut Flight<S>) {
+        let round_off = S::from_f64(16.0 * S::EPSILON);
+        let field = self.system.field.norm();
+        let drop = |v: Vec2<S>, scale: S| {
+            let real = Vec2::new(v.x.detached(), v.y.detached());
+            if real.x.abs() + real.y.abs() <= scale * round_off { v - real } else { v }
+        };
+        flight.acceleration = drop(flight.acceleration, field);
+        if flight.is_straight() {
+            let fall = (field * self.system.tolerance.table_size()).sqrt();
+            flight.velocity = drop(flight.velocity, fall);
+        }
     }
 
     /// The cushion that a ball is pressed against hardest, among those whose next bounce would be too short.

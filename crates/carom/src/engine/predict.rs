@@ -2,9 +2,10 @@
 
 use super::discs::{Discs, Fault, Pending, Target};
 use crate::detect::{
-    Surroundings, detect_ball_ball, detect_ball_cushion, detect_first_cushion, detect_from_behind,
-    detect_release,
+    Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_first_cushion,
+    detect_from_behind, detect_release,
 };
+use crate::geometry::Vec2;
 use crate::model::Face;
 use crate::scalar::Scalar;
 
@@ -51,7 +52,7 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     fn schedule(&mut self, ball: usize, next: Pending<S>, seen: &Surroundings<S>) -> bool {
         self.pending[ball] = next;
-        self.queue.set(ball, next.time);
+        self.queue.set(ball, next.time, rank(ball, next.target));
         self.diagnostics.predictions += 1;
         if seen.overlap > S::ZERO {
             self.note_overlap(ball, seen);
@@ -150,12 +151,23 @@ impl<S: Scalar> Discs<S> {
         }
     }
 
-    /// Whether a ball is a point on the other face of the thin wall that a cushion is one face of.
+    /// Whether a ball is a point on the other face of the thin wall that a cushion is one face of: its last cushion says so,
+    /// or the direction from which it came to the place where several walls meet.
     pub(super) fn is_behind(&self, ball: usize, cushion: u32) -> bool {
-        let last = self.tracks[ball].last_cushion;
-        last.is_some()
-            && self.system.backs[cushion as usize] == last
-            && self.system.discs[ball].radius == S::ZERO
+        let back = self.system.backs[cushion as usize];
+        if back.is_none() || self.system.discs[ball].radius > S::ZERO {
+            return false;
+        }
+        let (track, position) = (&self.tracks[ball], self.flights[ball].position);
+        track.last_cushion == back || self.is_across(cushion, track.arrival, position)
+    }
+
+    /// Whether a point at a cushion came through it from behind: then it is at the other face.
+    pub(super) fn is_across(&self, cushion: u32, arrival: Vec2<S>, position: Vec2<S>) -> bool {
+        let (face, tolerance) = (&self.system.faces.all[cushion as usize], &self.system.tolerance);
+        let is_at = |gap: S| gap.abs() <= tolerance.of(S::ZERO);
+        face.normal_at(position).0.dot(arrival) > S::ZERO
+            && cushion_gap(position, S::ZERO, face, tolerance).is_some_and(is_at)
     }
 
     fn detect_round_the_wall(&self, ball: usize, cushion: &Face<S>) -> Option<S> {
@@ -182,6 +194,20 @@ impl<S: Scalar> Discs<S> {
         next
     }
 
+    /// The time of the next event. Predicts anew where the first pending one is stale.
+    pub(super) fn next_time(&mut self) -> S {
+        loop {
+            let (ball, time) = self.queue.first();
+            match self.pending.get(ball).map(|pending| pending.target) {
+                Some(Target::Ball(other, changes)) if self.tracks[other as usize].changes != changes => {
+                    self.diagnostics.stale += 1;
+                    self.predict(ball, Target::Nothing);
+                }
+                _ => return time,
+            }
+        }
+    }
+
     /// Predicts anew where a pending event is stale.
     pub(super) fn refresh(&mut self) {
         for ball in 0..self.pending.len() {
@@ -192,5 +218,14 @@ impl<S: Scalar> Discs<S> {
                 self.predict(ball, Target::Nothing);
             }
         }
+    }
+}
+
+/// The rank of an event among those at the same time: the lower number of its balls.
+#[inline(always)]
+fn rank(ball: usize, target: Target) -> u32 {
+    match target {
+        Target::Ball(other, _) if other < ball as u32 => other,
+        _ => ball as u32,
     }
 }

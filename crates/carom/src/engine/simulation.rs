@@ -76,7 +76,9 @@ impl<S: Scalar> Simulation<S> {
     pub fn resume(run: &Run<S>, limits: Limits<S>) -> Self {
         let discs = Discs::resume(run);
         let seen = limits.until.map_or(0, |kind| run.diagnostics.events[kind as usize]);
-        Self { discs, limits, time: run.end_time, status: None, seen }
+        // A run that collapsed has nowhere to go.
+        let status = Some(run.status).filter(|status| *status == Status::Collapsed);
+        Self { discs, limits, time: run.end_time, status, seen }
     }
 
     fn tell_flights(&self, observer: &mut impl Observer<S>) {
@@ -126,13 +128,19 @@ impl<S: Scalar> Simulation<S> {
     /// Lets everything up to `time` happen, if the run goes on for so long, and moves the present there.
     pub fn run_until(&mut self, time: S, observer: &mut impl Observer<S>) -> Result<(), SimulationError> {
         while self.advance_until(time, u64::MAX, observer)? {}
-        if self.status.is_none() && self.limits.duration.is_some_and(|end| time >= end) {
+        if self.status.is_none() && self.is_over(time) {
             self.step(observer)?;
         }
         if self.status.is_none() && time > self.time {
             self.time = time;
         }
         Ok(())
+    }
+
+    /// Whether the run, with no more events up to `time`, ends before that.
+    fn is_over(&self, time: S) -> bool {
+        let is_late = self.limits.duration.is_some_and(|end| time >= end);
+        is_late || self.reached_limit().is_some() || self.discs.is_at_rest()
     }
 
     /// Goes on for up to `steps` steps, no further than `time`; says whether more are due up to then.
@@ -143,12 +151,28 @@ impl<S: Scalar> Simulation<S> {
         observer: &mut impl Observer<S>,
     ) -> Result<bool, SimulationError> {
         for _ in 0..steps {
-            if self.status.is_some() || self.discs.queue.first().1 > time {
+            if self.status.is_some() || self.discs.next_time() > time {
                 return Ok(false);
             }
             self.step(observer)?;
         }
         Ok(true)
+    }
+
+    /// Makes the events before `time` happen, but none at that very time, and ends the run there.
+    pub fn stop_at(
+        &mut self,
+        status: Status,
+        time: S,
+        observer: &mut impl Observer<S>,
+    ) -> Result<(), SimulationError> {
+        while self.status.is_none() && self.discs.next_time() < time {
+            self.step(observer)?;
+        }
+        if self.status.is_none() {
+            self.end(status, if time > self.time { time } else { self.time });
+        }
+        Ok(())
     }
 
     /// Ends the run here.
@@ -192,7 +216,7 @@ impl<S: Scalar> Simulation<S> {
     }
 
     fn end_without_event(&mut self, limit: S) -> Result<(), SimulationError> {
-        if self.discs.is_at_rest() {
+        if self.discs.is_at_rest() || (limit == S::INFINITY && self.discs.is_slower_than_time()) {
             self.end(Status::AtRest, self.time);
         } else if limit == S::INFINITY {
             let moving = self.discs.flights.iter().position(|flight| !flight.is_rest());

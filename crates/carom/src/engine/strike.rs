@@ -3,11 +3,13 @@
 //! The two get their new velocities and predictions first. Only if these find a third thing in touch is the contact
 //! undone and the whole cluster resolved instead.
 
+use super::cluster::Struck;
 use super::discs::{Discs, Target};
 use crate::detect::cushion_gap;
 use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::ball_ball::Pair;
+use crate::law::ball_cushion::Rebound;
 use crate::model::closing_threshold;
 use crate::run::{Event, Kind, Observer};
 use crate::scalar::Scalar;
@@ -23,16 +25,24 @@ impl<S: Scalar> Discs<S> {
         offset: S,
         observer: &mut impl Observer<S>,
     ) {
-        let flight = &self.flights[ball];
+        let flight = self.flights[ball];
         let (position, velocity) = (flight.position_after(offset), flight.velocity_after(offset));
         let disc = self.system.discs[ball];
         let (normal, scale) = self.system.faces.all[cushion as usize].normal_at(position);
-        let rebound = self.cushion_law(ball, cushion, time).rebound(velocity, normal, scale);
-        let was_held = self.tracks[ball].is_held();
+        let mut rebound = self.cushion_law(ball, cushion, time).rebound(velocity, normal, scale);
+        // A ball pulled onto a cushion may meet it without closing; such a contact does nothing.
+        let closes = !self.has_field || -rebound.normal_velocity > closing_threshold(velocity, Vec2::ZERO);
+        if !closes {
+            rebound = Rebound { velocity, energy_loss: S::ZERO, ..rebound };
+        }
+        let held_by = self.tracks[ball].held_by;
         self.begin_flight(ball, time, position, rebound.velocity);
         self.tracks[ball].last_cushion = Some(cushion);
-        if self.predict(ball, Target::Cushion(cushion)) || was_held {
-            self.strike_cluster(&[(ball, position, velocity)], time, observer);
+        if self.system.has_backs {
+            self.note_arrival(ball, offset, velocity);
+        }
+        if self.predict(ball, Target::Cushion(cushion)) || held_by[0].is_some() {
+            self.strike_cluster(&[Struck { ball, flight, held_by, elapsed: offset }], time, observer);
             return;
         }
         self.note_contact(ball, time);
@@ -51,10 +61,10 @@ impl<S: Scalar> Discs<S> {
             impulse: (rebound.velocity - velocity).dot(normal) * scale * disc.mass,
             cluster: None,
         };
-        if !self.has_field || event.closing_speed > closing_threshold(velocity, Vec2::ZERO) {
+        if closes {
             self.emit(&event, observer);
         }
-        if self.has_field && self.settle(ball, &[cushion], observer) {
+        if self.has_field && self.settle(ball, &[cushion], held_by, observer) {
             self.predict(ball, Target::Cushion(cushion));
         }
         observer.flight(ball, &self.flights[ball]);
@@ -80,16 +90,19 @@ impl<S: Scalar> Discs<S> {
         let impulse = law.impulse(&pair);
         let after_a = velocity_a - pair.normal * (impulse * discs[0].inverse_mass);
         let after_b = velocity_b + pair.normal * (impulse * discs[1].inverse_mass);
-        let was_held = self.tracks[a].is_held() || self.tracks[b].is_held();
+        let held_by = [self.tracks[a].held_by, self.tracks[b].held_by];
         self.begin_flight(a, time, position_a, after_a);
         self.begin_flight(b, time, position_b, after_b);
         self.forget_left_cushion(a);
         self.forget_left_cushion(b);
         let touching_a = self.predict(a, Target::Ball(b as u32, 0));
         let touching_b = self.predict(b, Target::Ball(a as u32, 0));
-        if touching_a || touching_b || was_held {
-            let struck = [(a, position_a, velocity_a), (b, position_b, velocity_b)];
-            self.strike_cluster(&struck, time, observer);
+        if touching_a || touching_b || held_by[0][0].is_some() || held_by[1][0].is_some() {
+            let struck = |k: usize, ball| {
+                let (flight, held_by) = (flights[k], held_by[k]);
+                Struck { ball, flight, held_by, elapsed: start - flight.start + offset }
+            };
+            self.strike_cluster(&[struck(0, a), struck(1, b)], time, observer);
             return;
         }
         self.note_contact(a, time);
@@ -117,8 +130,16 @@ impl<S: Scalar> Discs<S> {
         observer.flight(b, &self.flights[b]);
     }
 
+    /// Notes the velocity with which a ball came to a place, unless it has been there since its last contact.
+    pub(super) fn note_arrival(&mut self, ball: usize, elapsed: S, velocity: Vec2<S>) {
+        let arrival = &mut self.tracks[ball].arrival;
+        if elapsed > S::ZERO || *arrival == Vec2::ZERO {
+            *arrival = velocity;
+        }
+    }
+
     /// Forgets the cushion that a point touched last, once it has left it.
-    fn forget_left_cushion(&mut self, ball: usize) {
+    pub(super) fn forget_left_cushion(&mut self, ball: usize) {
         let radius = self.system.discs[ball].radius;
         if radius > S::ZERO || !self.system.has_backs {
             return;
@@ -129,6 +150,7 @@ impl<S: Scalar> Discs<S> {
             let gap = cushion_gap(self.flights[ball].position, radius, cushion, tolerance);
             if !gap.is_some_and(|gap| gap.abs() <= tolerance.of(radius)) {
                 self.tracks[ball].last_cushion = None;
+                self.tracks[ball].arrival = Vec2::ZERO;
             }
         }
     }

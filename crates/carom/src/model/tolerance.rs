@@ -9,12 +9,18 @@ use crate::scalar::Scalar;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTolerance<S> {
     of_table: S,
+    table_size: S,
 }
 
 impl<S: Scalar> ContactTolerance<S> {
     /// The tolerance on a table whose longer side is `table_size`.
     pub fn new(table_size: S) -> Self {
-        Self { of_table: table_size * S::from_f64(1e-13) }
+        Self { of_table: table_size * S::from_f64(1e-13), table_size }
+    }
+
+    /// The longer side of the table.
+    pub fn table_size(&self) -> S {
+        self.table_size
     }
 
     /// The tolerance δ of a contact where the radii add up to `radii`.

@@ -21,6 +21,8 @@ pub struct Track<S> {
     pub held_by: [Option<u32>; 2],
     /// The cushion it touched last; tells a point on which side of a thin wall it is.
     pub last_cushion: Option<u32>,
+    /// The velocity with which a point came to it, where there are thin walls; tells the same where several meet.
+    pub arrival: Vec2<S>,
     /// Time of its last event.
     pub last_contact: S,
     /// Start of the present burst of events.
@@ -77,6 +79,7 @@ impl<S: Scalar> Track<S> {
             changes: 0,
             held_by: [None; 2],
             last_cushion: None,
+            arrival: Vec2::ZERO,
             last_contact: -S::INFINITY,
             burst_start: -S::INFINITY,
             burst: 0,

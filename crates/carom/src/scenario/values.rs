@@ -22,6 +22,9 @@ impl Scenario {
     /// # Ok::<(), carom::scenario::ScenarioError>(())
     /// ```
     pub fn with_values<P: AsRef<str>>(&self, values: &[(P, Value)]) -> Result<Self, ScenarioError> {
+        if values.is_empty() {
+            return Ok(self.clone());
+        }
         let mut changed = self.to_value()?;
         let mut findings = Findings::default();
         for (path, value) in values {

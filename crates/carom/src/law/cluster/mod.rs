@@ -11,7 +11,6 @@ pub use pairwise::resolve_pairwise;
 pub use reflections::resolve_reflections;
 
 use crate::geometry::Vec2;
-use crate::model::closing_threshold;
 use crate::scalar::Scalar;
 
 /// A ball in a cluster.
@@ -21,6 +20,8 @@ pub struct Body<S> {
     pub velocity: Vec2<S>,
     /// One over its mass.
     pub inverse_mass: S,
+    /// Sum of the sizes of its velocity at first and of all changes since, which rounding errors are proportional to.
+    scale: S,
 }
 
 /// A contact in a cluster: between two bodies, or of one with a cushion.
@@ -52,6 +53,36 @@ pub struct Passes {
 /// Passes allowed for each ball of a cluster before the last one, which is without restitution.
 const PASSES_PER_BALL: usize = 8;
 
+impl<S: Scalar> Body<S> {
+    /// A ball that has not been pushed yet.
+    pub fn new(velocity: Vec2<S>, inverse_mass: S) -> Self {
+        Self { velocity, inverse_mass, scale: size(velocity) }
+    }
+
+    /// Gives it a new velocity.
+    pub fn turn(&mut self, velocity: Vec2<S>) {
+        self.scale += size(velocity - self.velocity);
+        self.velocity = velocity;
+    }
+
+    /// The speed that is not told from standing still: sixteen round-offs of all that the velocity is the sum of.
+    pub fn threshold(&self) -> S {
+        self.scale * S::from_f64(16.0 * S::EPSILON)
+    }
+
+    /// Stops a ball whose velocity is nothing but round-off: so one that a cluster brings to rest is at rest.
+    pub fn drop_round_off(&mut self) {
+        let velocity = self.velocity;
+        if size(velocity) <= self.threshold() {
+            self.velocity = velocity - Vec2::new(velocity.x.detached(), velocity.y.detached());
+        }
+    }
+}
+
+fn size<S: Scalar>(velocity: Vec2<S>) -> S {
+    velocity.x.abs() + velocity.y.abs()
+}
+
 impl<S: Scalar> Touch<S> {
     /// A contact that has received nothing yet.
     pub fn new(a: usize, b: Option<usize>, normal: Vec2<S>, restitution: S) -> Self {
@@ -65,7 +96,7 @@ impl<S: Scalar> Touch<S> {
 
     /// Whether the gap closes, beyond the round-off of the velocities.
     fn is_closing(&self, bodies: &[Body<S>]) -> bool {
-        let threshold = closing_threshold(bodies[self.a].velocity, self.velocity_b(bodies));
+        let threshold = bodies[self.a].threshold() + self.b.map_or(S::ZERO, |b| bodies[b].threshold());
         self.gap_rate(bodies) < -threshold
     }
 
@@ -77,10 +108,10 @@ impl<S: Scalar> Touch<S> {
     fn apply(&mut self, impulse: S, bodies: &mut [Body<S>]) {
         let push = self.normal * impulse;
         let a = &mut bodies[self.a];
-        a.velocity = a.velocity - push * a.inverse_mass;
+        a.turn(a.velocity - push * a.inverse_mass);
         if let Some(b) = self.b {
             let b = &mut bodies[b];
-            b.velocity = b.velocity + push * b.inverse_mass;
+            b.turn(b.velocity + push * b.inverse_mass);
         }
         self.impulse += impulse;
     }
