@@ -27,7 +27,9 @@ def test_scenario_block_is_the_midterm():
 
 
 def test_files_that_it_names_exist():
-    paths = re.findall(r"`([A-Za-z]+(?:/[A-Za-z_.]+)+|[A-Z-]+(?:\.md)?)`", TEXT) + re.findall(r"\]\((?!https?:)(\S+?)\)", TEXT)
+    paths = re.findall(r"`([A-Za-z]+(?:/[A-Za-z_.]+)+|[A-Z-]+(?:\.md)?)`", TEXT) + re.findall(
+        r"\]\((?!https?:)(\S+?)\)", TEXT
+    )
     assert len(paths) > 4
     for path in paths:
         assert (ROOT / path).exists(), path
