@@ -178,10 +178,15 @@ fn with_steps(scenario: &Scenario, count: usize) -> Scenario {
 fn first_difference(saved: &Run<f64>, now: &Run<f64>) -> Option<Difference> {
     let difference =
         |place: &str, saved: String, now: String| Difference { place: place.to_owned(), saved, now };
-    for (k, (a, b)) in saved.log.events.iter().zip(&now.log.events).enumerate() {
-        if a != b {
-            return Some(difference_of_events(k, a, b));
-        }
+    if let Some((k, a, b)) = first_unequal(&saved.log.events, &now.log.events) {
+        return Some(difference_of_events(k, a, b));
+    }
+    if let Some((k, a, b)) = first_unequal(&saved.log.flights, &now.log.flights) {
+        return Some(difference(&format!("flights[{k}]"), format!("{a:?}"), format!("{b:?}")));
+    }
+    let steps = [saved, now].map(|run| run.steps.as_ref().map_or(&[][..], |steps| &steps.steps));
+    if let Some((k, a, b)) = first_unequal(steps[0], steps[1]) {
+        return Some(difference(&format!("steps[{k}]"), format!("{a:?}"), format!("{b:?}")));
     }
     let counts = [saved, now].map(|run| run.diagnostics.total_events());
     let digests = [saved, now].map(|run| run.digest().unwrap_or_else(Digest::none));
@@ -192,6 +197,11 @@ fn first_difference(saved: &Run<f64>, now: &Run<f64>) -> Option<Difference> {
         ("digest", digests.map(|digest| digest.state)),
     ];
     fields.into_iter().find(|(_, [a, b])| a != b).map(|(place, [a, b])| difference(place, a, b))
+}
+
+fn first_unequal<'a, T: PartialEq>(saved: &'a [T], now: &'a [T]) -> Option<(usize, &'a T, &'a T)> {
+    let pairs = saved.iter().zip(now).enumerate();
+    pairs.map(|(k, (a, b))| (k, a, b)).find(|(_, a, b)| a != b)
 }
 
 fn difference_of_events(k: usize, saved: &Event<f64>, now: &Event<f64>) -> Difference {
