@@ -86,15 +86,20 @@ fn detect_near<S: Scalar>(
     [gap, radii]: [S; 2],
     tolerance: S,
 ) -> Option<S> {
-    let acceleration = b.acceleration - a.acceleration;
-    if acceleration != Vec2::ZERO {
-        return first_contact(&squared_gap(relative, acceleration, gap), tolerance, |_| true);
-    }
     // A closing speed within round-off of zero is none; twice the threshold of the laws, so that what is found to close
     // here is closing for them too.
-    let threshold = closing_threshold(relative.speeds[0], relative.speeds[1]) * S::from_f64(2.0);
+    let threshold = closing_threshold(relative.speeds[0], relative.speeds[1]) * S::from_f64(2.0) * radii;
     let slope = relative.position.dot(relative.velocity);
-    (slope < -(threshold * radii)).then_some(S::ZERO)
+    let acceleration = b.acceleration - a.acceleration;
+    if acceleration == Vec2::ZERO {
+        return (slope < -threshold).then_some(S::ZERO);
+    }
+    let mut gap = squared_gap(relative, acceleration, gap);
+    let [start, slope_of_gap, ..] = gap.coefficients;
+    if start.abs() <= tolerance && slope.abs() <= threshold {
+        gap.coefficients[1] = slope_of_gap - slope_of_gap.detached();
+    }
+    first_contact(&gap, tolerance, |_| true)
 }
 
 /// Straight relative motion from apart: `s = c / (−b + √D)`, free of cancellation as `b < 0`.

@@ -120,12 +120,18 @@ fn detect_line_near<S: Scalar>(
     let spans = |offset| line.spans(flight.position_after(offset), tolerance);
     let touches = gap <= tolerance && gap >= -tolerance && spans(S::ZERO);
     seen.touching |= touches && !struck;
+    let threshold = closing_threshold(flight.velocity, Vec2::ZERO) * S::from_f64(2.0);
     if flight.is_straight() {
-        let is_closing = -slope > closing_threshold(flight.velocity, Vec2::ZERO) * S::from_f64(2.0);
-        return (touches && is_closing).then_some(S::ZERO);
+        return (touches && -slope > threshold).then_some(S::ZERO);
     }
+    let slope = if touches { without_round_off(slope, threshold) } else { slope };
     let bend = line.normal.dot(flight.acceleration) * S::from_f64(0.5);
     first_contact(&Polynomial::new([gap, slope, bend, S::ZERO, S::ZERO]), tolerance, spans)
+}
+
+/// The slope of a gap in contact, or zero where it is not told from that: the bend then says whether the gap closes.
+fn without_round_off<S: Scalar>(slope: S, threshold: S) -> S {
+    if slope.abs() <= threshold { slope - slope.detached() } else { slope }
 }
 
 fn detect_round<S: Scalar>(
@@ -147,14 +153,17 @@ fn detect_round<S: Scalar>(
     let two = S::from_f64(2.0);
     let gap = side * (position.norm_squared() - distance.squared());
     let tolerance = two * distance * tolerance;
-    if gap <= tolerance && gap >= -tolerance && !struck && spans(S::ZERO) {
-        seen.touching = true;
+    let velocity = flight.velocity;
+    let mut slope = side * two * velocity.dot(position);
+    if gap <= tolerance && gap >= -tolerance && spans(S::ZERO) {
+        seen.touching |= !struck;
+        slope =
+            without_round_off(slope, closing_threshold(velocity, Vec2::ZERO) * S::from_f64(4.0) * distance);
     }
     let half = flight.acceleration * S::from_f64(0.5);
-    let velocity = flight.velocity;
     let gap = Polynomial::new([
         gap,
-        side * two * velocity.dot(position),
+        slope,
         side * (velocity.norm_squared() + two * half.dot(position)),
         side * two * half.dot(velocity),
         side * half.norm_squared(),

@@ -70,22 +70,54 @@ impl<S: Scalar> Discs<S> {
     }
 
     /// The cushion that a ball is pressed against hardest, among those whose next bounce would be too short.
+    ///
+    /// Laid on it, the ball must not run into another that it touches: unless gently enough to be held by both, it is
+    /// rather the other along which it goes on.
     fn pressing(&self, ball: usize, flight: &Flight<S>, touched: &[u32]) -> Option<(u32, Line<S>)> {
         let held = self.tracks[ball].held_by;
-        let threshold = closing_threshold(flight.velocity, Vec2::ZERO);
-        let shortest = self.system.collapse_times[ball];
-        let mut hardest: Option<(u32, Line<S>, S)> = None;
+        let mut hardest: Option<(u32, Line<S>, [S; 2])> = None;
         for &cushion in touched {
             let Face::Line(line) = self.system.faces.all[cushion as usize] else { continue };
             let pull = -line.normal.dot(flight.acceleration);
-            let speed = line.normal.dot(flight.velocity);
-            let is_short = speed >= -threshold && speed * S::from_f64(2.0) <= shortest * pull + threshold;
-            let is_harder = hardest.is_none_or(|(.., most)| pull > most);
-            if pull > S::ZERO && is_short && is_harder && !held.contains(&Some(cushion)) {
-                hardest = Some((cushion, line, pull));
+            if pull <= S::ZERO || held.contains(&Some(cushion)) || !self.is_short(ball, flight, &line) {
+                continue;
+            }
+            let mut laid = *flight;
+            lay(&mut laid, &line);
+            let Some(blow) = self.hardest_blow(ball, &laid, touched) else { continue };
+            let is_better = |[least, most]: [S; 2]| blow < least || (blow == least && pull > most);
+            if hardest.is_none_or(|(.., best)| is_better(best)) {
+                hardest = Some((cushion, line, [blow, pull]));
             }
         }
         hardest.map(|(cushion, line, _)| (cushion, line))
+    }
+
+    /// Whether a ball's next bounce on a cushion, at which it moves or from which it parts, would last under t_c.
+    fn is_short(&self, ball: usize, flight: &Flight<S>, line: &Line<S>) -> bool {
+        let pull = -line.normal.dot(flight.acceleration);
+        let speed = line.normal.dot(flight.velocity).abs();
+        let threshold = closing_threshold(flight.velocity, Vec2::ZERO);
+        speed * S::from_f64(2.0) <= self.system.collapse_times[ball] * pull + threshold
+    }
+
+    /// The greatest speed at which a ball moves at a cushion that it touches and that does not hold it, zero if at none; none
+    /// if that is too fast for it to be held there.
+    fn hardest_blow(&self, ball: usize, flight: &Flight<S>, touched: &[u32]) -> Option<S> {
+        let mut hardest = S::ZERO;
+        for &cushion in touched.iter().filter(|cushion| !self.tracks[ball].held_by.contains(&Some(**cushion)))
+        {
+            let face = &self.system.faces.all[cushion as usize];
+            let blow = -face.normal_at(flight.position).0.dot(flight.velocity);
+            if blow > closing_threshold(flight.velocity, Vec2::ZERO) {
+                let Face::Line(line) = face else { return None };
+                if !self.is_short(ball, flight, line) {
+                    return None;
+                }
+                hardest = if blow > hardest { blow } else { hardest };
+            }
+        }
+        Some(hardest)
     }
 
     /// A ball passes the end of the cushion that held it, and flies free.
