@@ -152,3 +152,13 @@ pub fn room_of(table: &Value) -> Room {
     let scenario: Scenario = serde_json::from_value(text).unwrap();
     Room::of(&scenario)
 }
+
+/// Touching balls of one size at rest in a triangle whose first ball is at `apex`, the others above.
+pub fn rack(radius: f64, apex: [f64; 2], rows: usize) -> Vec<Ball> {
+    let place = |row: usize, k: usize| {
+        let (row, k) = (row as f64, k as f64);
+        [apex[0] + radius * (2.0 * k - row), apex[1] + radius * 3.0_f64.sqrt() * row]
+    };
+    let balls = (0..rows).flat_map(|row| (0..=row).map(move |k| (row, k)));
+    balls.map(|(row, k)| ball(radius, place(row, k), [0.0, 0.0])).collect()
+}
