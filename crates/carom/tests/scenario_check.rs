@@ -308,3 +308,31 @@ fn balls_keep_clear_of_obstacles() {
     );
     assert_eq!(with_obstacles("{ wall = [[0.51, 0], [0.51, 0.5]] }"), [""; 0], "touching is legal");
 }
+
+#[test]
+fn a_ball_that_fills_a_round_end_is_refused() {
+    let full = "radius = 0.5\nposition = [0, 0]";
+    let text =
+        format!("duration = 1\n[table]\nshape = 'circle'\nradius = 0.5\n[[balls]]\nid = 'a'\n{full}\n");
+    assert_eq!(
+        problems(&text),
+        ["balls[0].position: ball \"a\" is as wide as round cushion \"rim\", and would have no room in it"]
+    );
+    // In rounded corners, which are quarters of a circle, it meets the sides.
+    let arc = |x: f64, y: f64, from: i32| {
+        format!(
+            "{{ arc = {{ center = [{x}, {y}], radius = 0.1, from_deg = {from}, to_deg = {} }} }}",
+            from + 90
+        )
+    };
+    let table = format!(
+        "[table]\nshape = 'path'\npieces = [{{ line = [[0.1, 0], [0.9, 0]] }}, {}, {{ line = [[1, 0.1], [1, 0.9]] }}, {}, \
+         {{ line = [[0.9, 1], [0.1, 1]] }}, {}, {{ line = [[0, 0.9], [0, 0.1]] }}, {}]",
+        arc(0.9, 0.1, -90),
+        arc(0.9, 0.9, 0),
+        arc(0.1, 0.9, 90),
+        arc(0.1, 0.1, 180)
+    );
+    let text = format!("duration = 1\n{table}\n[[balls]]\nid = 'a'\nradius = 0.1\nposition = [0.5, 0.5]\n");
+    assert_eq!(problems(&text), [""; 0]);
+}

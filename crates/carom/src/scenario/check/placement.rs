@@ -71,7 +71,26 @@ fn intrusion(
             cut.push(format!("cushion {:?} by {}", cushion.id, Rounded(depth)));
         }
     }
-    (!cut.is_empty()).then(|| format!("ball {:?} reaches past {}", disc.id, cut.join(" and ")))
+    if !cut.is_empty() {
+        return Some(format!("ball {:?} reaches past {}", disc.id, cut.join(" and ")));
+    }
+    let fills = outline.cushions.iter().find(|cushion| is_filled(&cushion.piece, disc.radius, tolerance))?;
+    Some(format!(
+        "ball {:?} is as wide as round cushion {:?}, and would have no room in it",
+        disc.id, fills.id
+    ))
+}
+
+/// Whether a ball fits a hollow arc exactly, so that its centre could be at one point only. An arc of less than half a
+/// circle it never gets into: it meets what is next to the arc first.
+fn is_filled(piece: &Piece<f64>, radius: f64, tolerance: f64) -> bool {
+    match piece {
+        Piece::Line(_) => false,
+        Piece::Arc(arc) => {
+            let is_pocket = arc.counter_clockwise && arc.sweep_deg > 180.0 - 1e-6;
+            is_pocket && (arc.radius - radius).abs() <= tolerance
+        }
+    }
 }
 
 /// Notes pairs of balls that overlap, sought among neighbours in a grid of cells as wide as the largest ball.
