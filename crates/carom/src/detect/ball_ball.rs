@@ -27,7 +27,6 @@ impl<S: Scalar> Relative<S> {
         }
     }
 
-    #[inline(always)]
     fn new(a: &Flight<S>, b: &Flight<S>) -> Self {
         let start = if a.start > b.start { a.start } else { b.start };
         let (after_a, after_b) = (start - a.start, start - b.start);
@@ -38,14 +37,19 @@ impl<S: Scalar> Relative<S> {
             speeds: [velocity_a, velocity_b],
         }
     }
+
+    /// The gap as a polynomial sees it: `|Δ|² − r²`.
+    #[inline(always)]
+    fn squared_gap(&self, radii: S) -> S {
+        self.position.norm_squared() - radii.squared()
+    }
 }
 
 /// The offset, from the later start of the two flights, at which two balls meet; `None` when they never do.
 ///
 /// `radii` is the sum of the radii, which must be positive. Notes contact (unless they have just been `struck`) and overlap
-/// at the start in `seen`. With `STRAIGHT` both flights must be straight; the answer is the same, but quicker.
-#[inline(always)]
-pub fn detect_ball_ball<const STRAIGHT: bool, S: Scalar>(
+/// at the start in `seen`.
+pub fn detect_ball_ball<S: Scalar>(
     a: &Flight<S>,
     b: &Flight<S>,
     radii: S,
@@ -53,19 +57,38 @@ pub fn detect_ball_ball<const STRAIGHT: bool, S: Scalar>(
     struck: bool,
     seen: &mut Surroundings<S>,
 ) -> Option<S> {
-    let relative = if STRAIGHT { Relative::straight(a, b) } else { Relative::new(a, b) };
-    // The squared gap, whose contact tolerance is (r + δ)² − r², to first order 2 r δ.
-    let gap = relative.position.norm_squared() - radii.squared();
-    let tolerance = S::from_f64(2.0) * radii * tolerance.of(radii);
-    if gap <= tolerance || (!STRAIGHT && a.acceleration != b.acceleration) {
-        let tolerance = tolerance + rounding_of_time(a, b, &relative, radii);
-        if gap <= tolerance {
-            note_contact(gap, radii, tolerance, struck, seen);
-        }
-        return detect_near(a, b, &relative, [gap, radii], tolerance);
+    let relative = Relative::new(a, b);
+    let gap = relative.squared_gap(radii);
+    let tolerance = squared_tolerance(tolerance, radii);
+    if gap > tolerance && a.acceleration == b.acceleration {
+        let offset = straight_meeting(&relative, gap, radii);
+        return (offset < S::INFINITY).then_some(offset);
     }
-    let slope = relative.position.dot(relative.velocity);
-    if slope < S::ZERO { straight_meeting(&relative, slope, gap, radii) } else { None }
+    let tolerance = tolerance + rounding_of_time(a, b, &relative, radii);
+    if gap <= tolerance {
+        note_contact(gap, radii, tolerance, struck, seen);
+    }
+    detect_near(a, b, &relative, [gap, radii], tolerance)
+}
+
+/// The offset at which two balls in straight flight meet, infinite when they never do; `None` when they are so near each
+/// other that [`detect_ball_ball`] has to be asked, of which this is the quick part.
+#[inline(always)]
+pub fn detect_ball_in_the_clear<S: Scalar>(
+    a: &Flight<S>,
+    b: &Flight<S>,
+    radii: S,
+    tolerance: &ContactTolerance<S>,
+) -> Option<S> {
+    let relative = Relative::straight(a, b);
+    let gap = relative.squared_gap(radii);
+    (gap > squared_tolerance(tolerance, radii)).then(|| straight_meeting(&relative, gap, radii))
+}
+
+/// The contact tolerance of the squared gap: `(r + δ)² − r²`, to first order `2 r δ`.
+#[inline(always)]
+fn squared_tolerance<S: Scalar>(tolerance: &ContactTolerance<S>, radii: S) -> S {
+    S::from_f64(2.0) * radii * tolerance.of(radii)
 }
 
 /// What the rounding of the starts of two flights may have taken from their squared gap: late in a run it is more than
@@ -94,7 +117,7 @@ fn detect_near<S: Scalar>(
     if acceleration == Vec2::ZERO {
         return (slope < -threshold).then_some(S::ZERO);
     }
-    let mut gap = squared_gap(relative, acceleration, gap);
+    let mut gap = gap_polynomial(relative, acceleration, gap);
     let [start, slope_of_gap, ..] = gap.coefficients;
     if start.abs() <= tolerance && slope.abs() <= threshold {
         gap.coefficients[1] = slope_of_gap - slope_of_gap.detached();
@@ -102,19 +125,23 @@ fn detect_near<S: Scalar>(
     first_contact(&gap, tolerance, |_| true)
 }
 
-/// Straight relative motion from apart: `s = c / (−b + √D)`, free of cancellation as `b < 0`.
+/// Straight relative motion from apart: `s = c / (−b + √D)`, free of cancellation as `b < 0`; infinite for a miss.
 ///
 /// `D = |w|² r² − (Δ × w)²` instead of `b² − |w|² c`: the two are equal, but this one keeps its accuracy in a graze
 /// from far away.
 #[inline(always)]
-fn straight_meeting<S: Scalar>(relative: &Relative<S>, slope: S, gap: S, radii: S) -> Option<S> {
+fn straight_meeting<S: Scalar>(relative: &Relative<S>, gap: S, radii: S) -> S {
+    let slope = relative.position.dot(relative.velocity);
+    if slope >= S::ZERO {
+        return S::INFINITY;
+    }
     let miss = relative.position.cross(relative.velocity);
     let discriminant = relative.velocity.norm_squared() * radii.squared() - miss.squared();
-    if discriminant > S::ZERO { Some(gap / (discriminant.sqrt() - slope)) } else { None }
+    if discriminant > S::ZERO { gap / (discriminant.sqrt() - slope) } else { S::INFINITY }
 }
 
 /// The squared gap `|Δ + w s + k s²|² − r²` with `k` half the relative acceleration.
-fn squared_gap<S: Scalar>(relative: &Relative<S>, acceleration: Vec2<S>, gap: S) -> Polynomial<S> {
+fn gap_polynomial<S: Scalar>(relative: &Relative<S>, acceleration: Vec2<S>, gap: S) -> Polynomial<S> {
     let two = S::from_f64(2.0);
     let half = acceleration * S::from_f64(0.5);
     let (position, velocity) = (relative.position, relative.velocity);

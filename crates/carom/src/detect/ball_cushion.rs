@@ -37,37 +37,48 @@ pub fn detect_ball_cushion<S: Scalar>(
     }
 }
 
-/// The first cushion that a ball in straight flight meets: its number and the offset. The same as asking
-/// [`detect_ball_cushion`] of each, but quicker.
-///
-/// `struck` is the number of the cushion that the ball is just leaving, if any.
+/// The first cushion that a ball in straight flight meets, and the offset, which is infinite if it meets none; `None` when
+/// it is so near to one other than `struck`, the number of the one that it is just leaving, that
+/// [`detect_ball_cushion`] has to be asked of each. Else the answer is the same, but quicker.
 #[inline(always)]
-pub fn detect_first_cushion<S: Scalar>(
+pub fn detect_cushion_in_the_clear<S: Scalar>(
     flight: &Flight<S>,
     radius: S,
     faces: &Faces<S>,
     tolerance: S,
     struck: usize,
-    seen: &mut Surroundings<S>,
 ) -> Option<(usize, S)> {
-    let (mut number, mut first, mut rest) = (usize::MAX, S::INFINITY, faces.all.as_slice());
-    if let Some(room) = &faces.room
-        && let Some((wall, offset)) = detect_wall(flight, radius, room, tolerance, struck)
-    {
-        (number, first, rest) = (wall, offset, faces.others());
-    }
-    if !rest.is_empty() {
-        let before = faces.all.len() - rest.len();
-        for (place, face) in rest.iter().enumerate() {
-            let place = before + place;
-            if let Some(offset) = detect_ball_cushion(flight, radius, face, tolerance, place == struck, seen)
-                && offset < first
-            {
-                (number, first) = (place, offset);
-            }
+    let wall = match &faces.room {
+        Some(room) => detect_wall(flight, radius, room, tolerance, struck)?,
+        None => (usize::MAX, S::INFINITY),
+    };
+    let others = faces.others();
+    if others.is_empty() { Some(wall) } else { detect_other(flight, radius, faces, tolerance, struck, wall) }
+}
+
+/// The first cushion that is not a wall of the room, unless the wall `first` comes before it; `None` as above.
+fn detect_other<S: Scalar>(
+    flight: &Flight<S>,
+    radius: S,
+    faces: &Faces<S>,
+    tolerance: S,
+    struck: usize,
+    first: (usize, S),
+) -> Option<(usize, S)> {
+    let mut seen = Surroundings::CLEAR;
+    let mut first = first;
+    let others = faces.others();
+    let walls = faces.all.len() - others.len();
+    for (place, face) in others.iter().enumerate() {
+        let number = walls + place;
+        if let Some(offset) =
+            detect_ball_cushion(flight, radius, face, tolerance, number == struck, &mut seen)
+            && offset < first.1
+        {
+            first = (number, offset);
         }
     }
-    (first < S::INFINITY).then_some((number, first))
+    (!seen.touching).then_some(first)
 }
 
 /// The first wall of a room, with an infinite offset if it never comes; `None` when the ball is so near to one other than

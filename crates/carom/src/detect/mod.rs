@@ -6,9 +6,9 @@
 mod ball_ball;
 mod ball_cushion;
 
-pub use ball_ball::detect_ball_ball;
+pub use ball_ball::{detect_ball_ball, detect_ball_in_the_clear};
 pub use ball_cushion::{
-    cushion_gap, detect_ball_cushion, detect_first_cushion, detect_from_behind, detect_release,
+    cushion_gap, detect_ball_cushion, detect_cushion_in_the_clear, detect_from_behind, detect_release,
 };
 
 use crate::scalar::Scalar;

@@ -1,13 +1,13 @@
 //! Sums over all balls: energy and momentum, and the audit of a run's energy.
 
-use super::discs::Discs;
+use super::discs::{Discs, Fault};
 use crate::flight::{Flight, State};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Discs<S> {
     /// Position and velocity of a ball at a time not before its last event.
     pub fn state_at(&self, ball: usize, time: S) -> State<S> {
-        let flight = &self.flights[ball];
+        let flight = &self.balls[ball].flight;
         let elapsed = time - flight.start;
         (flight.position_after(elapsed), flight.velocity_after(elapsed))
     }
@@ -15,17 +15,17 @@ impl<S: Scalar> Discs<S> {
     /// Energy of all balls: kinetic, and potential in the field.
     pub fn energy_at(&self, time: S) -> f64 {
         let mut sum = S::ZERO;
-        for ball in 0..self.flights.len() {
+        for ball in 0..self.balls.len() {
             let (position, velocity) = self.state_at(ball, time);
             let kinetic = S::from_f64(0.5) * velocity.norm_squared();
-            sum += self.system.discs[ball].mass * (kinetic - self.system.field.dot(position));
+            sum += self.balls[ball].disc.mass * (kinetic - self.system.field.dot(position));
         }
         sum.to_f64()
     }
 
     /// Whether no ball moves, now or later.
     pub fn is_at_rest(&self) -> bool {
-        self.flights.iter().all(|flight| flight.is_rest())
+        self.balls.iter().all(|ball| ball.flight.is_rest())
     }
 
     /// Whether all balls that move would need more time to cross the table than a number can hold.
@@ -34,7 +34,10 @@ impl<S: Scalar> Discs<S> {
             let speed = flight.velocity.x.abs() + flight.velocity.y.abs();
             flight.start + self.system.tolerance.table_size() / speed
         };
-        self.flights.iter().all(|f| f.is_rest() || (f.is_straight() && !across(f).is_finite()))
+        self.balls
+            .iter()
+            .map(|ball| &ball.flight)
+            .all(|f| f.is_rest() || (f.is_straight() && !across(f).is_finite()))
     }
 
     /// Sums the energy and notes how far it is from what the laws account for.
@@ -43,5 +46,24 @@ impl<S: Scalar> Discs<S> {
         let drift = (energy - self.diagnostics.initial_energy + self.diagnostics.energy_loss).abs();
         self.diagnostics.final_energy = energy;
         self.diagnostics.energy_drift = self.diagnostics.energy_drift.max(drift);
+    }
+
+    /// Notes how deep two balls that collide overlap; more than the contact tolerance is a fault.
+    #[inline(always)]
+    pub(super) fn audit_distance(&mut self, ball: usize, distance: S, radii: S) {
+        let overlap = radii - distance;
+        if overlap.to_f64() > self.diagnostics.deepest_overlap {
+            self.note_overlap(ball, overlap, overlap > self.system.tolerance.of(radii));
+        }
+    }
+
+    /// Notes an overlap.
+    #[cold]
+    pub(super) fn note_overlap(&mut self, ball: usize, overlap: S, is_broken: bool) {
+        let deepest = &mut self.diagnostics.deepest_overlap;
+        *deepest = deepest.max(overlap.to_f64());
+        if is_broken {
+            self.fault = Some(Fault::Overlap(ball as u32));
+        }
     }
 }

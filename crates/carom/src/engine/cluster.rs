@@ -1,6 +1,6 @@
 //! Several contacts at one instant: gathers the cluster, lets its law act, and starts the new flights.
 
-use super::discs::{Discs, Target};
+use super::discs::Discs;
 use crate::detect::{Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion};
 use crate::flight::Flight;
 use crate::geometry::Vec2;
@@ -70,7 +70,7 @@ impl<S: Scalar> Discs<S> {
         }
         self.settle_members(&moved, &members, &contacts, observer);
         for &k in &moved {
-            self.predict(members[k].ball, Target::Nothing);
+            self.predict_anew(members[k].ball);
         }
     }
 
@@ -80,11 +80,11 @@ impl<S: Scalar> Discs<S> {
             struck.iter().map(|s| Member::new(s.ball, s.flight, s.held_by, s.elapsed)).collect();
         let mut next = 0;
         while next < members.len() {
-            for ball in 0..self.flights.len() {
+            for ball in 0..self.balls.len() {
                 if members.iter().any(|m| m.ball == ball) {
                     continue;
                 }
-                let (flight, held_by) = (self.flights[ball], self.tracks[ball].held_by);
+                let (flight, held_by) = (self.balls[ball].flight, self.balls[ball].track.held_by);
                 let member = Member::new(ball, flight, held_by, time - flight.start);
                 if self.ball_gap(members[next].ball, members[next].position, ball, member.position) <= S::ONE
                 {
@@ -118,14 +118,14 @@ impl<S: Scalar> Discs<S> {
 
     /// The time from the start of a member's flight to its contact with another, if that comes at `time`.
     fn meeting(&self, member: &Member<S>, other: &Member<S>, time: S) -> Option<S> {
-        let radii = self.system.discs[member.ball].radius + self.system.discs[other.ball].radius;
+        let radii = self.balls[member.ball].disc.radius + self.balls[other.ball].disc.radius;
         if member.ball == other.ball || radii == S::ZERO {
             return None;
         }
         let (a, b) = (&member.flight, &other.flight);
         let start = if a.start > b.start { a.start } else { b.start };
         let (tolerance, mut seen) = (&self.system.tolerance, Surroundings::CLEAR);
-        let offset = detect_ball_ball::<false, S>(a, b, radii, tolerance, false, &mut seen)?;
+        let offset = detect_ball_ball(a, b, radii, tolerance, false, &mut seen)?;
         (start + offset == time).then_some(start - a.start + offset)
     }
 
@@ -134,7 +134,7 @@ impl<S: Scalar> Discs<S> {
         if member.held_by.contains(&Some(number as u32)) {
             return None;
         }
-        let radius = self.system.discs[member.ball].radius;
+        let radius = self.balls[member.ball].disc.radius;
         let (tolerance, mut seen) = (self.system.tolerance.of(radius), Surroundings::CLEAR);
         let offset = detect_ball_cushion(&member.flight, radius, face, tolerance, false, &mut seen)?;
         (member.flight.start + offset == time).then_some(offset)
@@ -142,7 +142,7 @@ impl<S: Scalar> Discs<S> {
 
     /// The gap between two balls in contact tolerances; infinite for two points.
     fn ball_gap(&self, a: usize, position_a: Vec2<S>, b: usize, position_b: Vec2<S>) -> S {
-        let radii = self.system.discs[a].radius + self.system.discs[b].radius;
+        let radii = self.balls[a].disc.radius + self.balls[b].disc.radius;
         if radii == S::ZERO {
             return S::INFINITY;
         }
@@ -156,7 +156,7 @@ impl<S: Scalar> Discs<S> {
             for (second, b) in members.iter().enumerate().skip(first + 1) {
                 if self.ball_gap(a.ball, a.position, b.ball, b.position) <= S::from_f64(HAIR) {
                     let normal = (b.position - a.position).unit();
-                    let point = a.position + normal * self.system.discs[a.ball].radius;
+                    let point = a.position + normal * self.balls[a.ball].disc.radius;
                     contacts.push(Contact { members: (first, Some(second)), cushion: None, point, normal });
                 }
             }
@@ -167,7 +167,7 @@ impl<S: Scalar> Discs<S> {
     }
 
     fn add_cushions(&self, place: usize, member: &Member<S>, contacts: &mut Vec<Contact<S>>) {
-        let radius = self.system.discs[member.ball].radius;
+        let radius = self.balls[member.ball].disc.radius;
         let tolerance = self.system.tolerance.of(radius);
         let first = contacts.len();
         for (number, cushion) in self.system.faces.all.iter().enumerate() {
@@ -200,10 +200,10 @@ impl<S: Scalar> Discs<S> {
     /// Whether a cushion is the other face of a thin wall that a point is at, since the point came from across it.
     fn is_other_side(&self, member: &Member<S>, cushion: u32) -> bool {
         let back = self.system.backs[cushion as usize];
-        if back.is_none() || self.system.discs[member.ball].radius > S::ZERO {
+        if back.is_none() || self.balls[member.ball].disc.radius > S::ZERO {
             return false;
         }
-        let track = &self.tracks[member.ball];
+        let track = &self.balls[member.ball].track;
         let has_stayed = member.elapsed == S::ZERO && track.arrival != Vec2::ZERO;
         let arrival = if has_stayed { track.arrival } else { member.before };
         (has_stayed && track.last_cushion == back) || self.is_across(cushion, arrival, member.position)
@@ -232,7 +232,7 @@ impl<S: Scalar> Discs<S> {
             }
             let (normal, scale) = self.system.faces.all[cushion as usize].normal_at(member.position);
             let rebound = law.rebound(body.velocity, normal, scale);
-            let mass = self.system.discs[member.ball].mass;
+            let mass = self.balls[member.ball].disc.mass;
             let impulse = (rebound.velocity - body.velocity).dot(normal) * scale * mass;
             let closing_speed = -rebound.normal_velocity;
             body.turn(rebound.velocity);
@@ -258,7 +258,7 @@ impl<S: Scalar> Discs<S> {
         time: S,
     ) -> Vec<Event<S>> {
         let mut bodies: Vec<Body<S>> =
-            members.iter().map(|m| Body::new(m.velocity, self.system.discs[m.ball].inverse_mass)).collect();
+            members.iter().map(|m| Body::new(m.velocity, self.balls[m.ball].disc.inverse_mass)).collect();
         let mut touches: Vec<Touch<S>> = contacts.iter().map(|c| self.touch(c, members, time)).collect();
         self.resolve_normal(&mut bodies, &mut touches);
         if self.scale_tangential(&mut bodies, &touches, contacts, members, time) {
@@ -349,7 +349,7 @@ impl<S: Scalar> Discs<S> {
     fn account_cluster(&mut self, members: &[Member<S>]) {
         let mut change = S::ZERO;
         for member in members {
-            let mass = self.system.discs[member.ball].mass;
+            let mass = self.balls[member.ball].disc.mass;
             change += mass * (member.velocity.norm_squared() - member.before.norm_squared());
         }
         let change = (change * S::from_f64(0.5)).to_f64();
@@ -372,11 +372,11 @@ impl<S: Scalar> Discs<S> {
         let moved: Vec<usize> = (0..members.len()).filter(moved).collect();
         for &k in &moved {
             let member = &members[k];
-            self.begin_flight(member.ball, time, member.position, member.velocity);
+            self.begin_flight::<false>(member.ball, time, (member.position, member.velocity));
             self.note_contact(member.ball, time);
             self.forget_left_cushion(member.ball);
             if let Some(cushion) = cushions_of(k, contacts).next() {
-                self.tracks[member.ball].last_cushion = Some(cushion);
+                self.balls[member.ball].track.last_cushion = Some(cushion);
                 self.note_arrival(member.ball, member.elapsed, member.before);
             }
         }
@@ -395,7 +395,7 @@ impl<S: Scalar> Discs<S> {
             let cushions: Vec<u32> = cushions_of(k, contacts).collect();
             let ball = members[k].ball;
             self.settle(ball, &cushions, members[k].held_by, observer);
-            observer.flight(ball, &self.flights[ball]);
+            observer.flight(ball, &self.balls[ball].flight);
         }
     }
 }

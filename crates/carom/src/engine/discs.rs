@@ -3,10 +3,11 @@
 //! One event is pending for each disc. The only thing that makes it stale is a change of its partner's course, which the
 //! partner's counter tells; nobody hunts for third parties.
 
-use super::queue::Queue;
-use crate::flight::Flight;
+use super::queue::{Pending, Queue, Target};
+use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::{ball_ball, ball_cushion};
+use crate::model::Disc;
 use crate::run::{Diagnostics, Event, Observer, Run, Track};
 use crate::scalar::Scalar;
 use crate::scenario::System;
@@ -18,30 +19,6 @@ const BURST_LIMIT: u32 = 1000;
 /// The energy is summed at 2^k events, but not below sixteen: so short a run is summed at its end.
 const AUDIT_MASK: u64 = 15;
 
-/// What a ball's next event is with.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Target {
-    /// No event.
-    Nothing,
-    /// Another ball, with the number of changes of course it had when this was predicted.
-    Ball(u32, u64),
-    /// A cushion.
-    Cushion(u32),
-    /// The end of the cushion that holds the ball.
-    Release(u32),
-}
-
-/// A ball's next event.
-#[derive(Clone, Copy, Debug)]
-pub struct Pending<S> {
-    /// When.
-    pub time: S,
-    /// The same, as offset from the later start of the flights involved, unrounded.
-    pub offset: S,
-    /// With what.
-    pub target: Target,
-}
-
 /// What no run survives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
@@ -51,98 +28,108 @@ pub enum Fault {
     Overlap(u32),
 }
 
+/// A ball under way.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ball<S> {
+    pub(super) flight: Flight<S>,
+    pub(super) disc: Disc<S>,
+    pub(super) track: Track<S>,
+}
+
 /// The state of the discs: everything that changes during a run.
 #[derive(Clone, Debug)]
 pub struct Discs<S> {
     pub(super) system: Arc<System<S>>,
-    pub(super) flights: Vec<Flight<S>>,
-    pub(super) tracks: Vec<Track<S>>,
-    pub(super) pending: Vec<Pending<S>>,
+    pub(super) balls: Vec<Ball<S>>,
     pub(super) queue: Queue<S>,
     pub(super) diagnostics: Diagnostics,
+    /// All events so far.
+    pub(super) events: u64,
+    energy_at_start: f64,
     pub(super) has_field: bool,
     /// Neither a field nor thin walls: prediction takes a shorter way.
     pub(super) is_plain: bool,
     pub(super) fault: Option<Fault>,
 }
 
-impl<S: Scalar> Pending<S> {
-    pub(super) const NEVER: Self = Self { time: S::INFINITY, offset: S::INFINITY, target: Target::Nothing };
-
-    #[inline(always)]
-    pub(super) fn earlier(self, start: S, offset: Option<S>, target: Target) -> Self {
-        match offset {
-            Some(offset) if start + offset < self.time => Self { time: start + offset, offset, target },
-            _ => self,
-        }
-    }
-}
-
 impl<S: Scalar> Discs<S> {
     /// The discs of a system at time zero.
     pub fn new(system: Arc<System<S>>) -> Self {
-        let tracks = vec![Track::new(); system.discs.len()];
-        let mut discs = Self::with(system.clone(), system.flights.clone(), tracks);
+        let start: Vec<_> = system.flights.iter().map(|&flight| (flight, Track::new())).collect();
+        let mut discs = Self::with(system, &start);
+        discs.energy_at_start = discs.energy_at(S::ZERO);
         discs.begin();
         discs
     }
 
     /// The discs at the end of a run.
     pub fn resume(run: &Run<S>) -> Self {
-        let (flights, tracks) = run.balls.iter().copied().unzip();
-        let mut discs = Self::with(run.system.clone(), flights, tracks);
+        let mut discs = Self::with(run.system.clone(), &run.balls);
         discs.diagnostics = run.diagnostics.clone();
+        discs.events = run.diagnostics.total_events();
+        discs.energy_at_start = run.diagnostics.initial_energy;
         discs.predict_all();
         discs
     }
 
-    fn with(system: Arc<System<S>>, flights: Vec<Flight<S>>, tracks: Vec<Track<S>>) -> Self {
+    fn with(system: Arc<System<S>>, balls: &[(Flight<S>, Track<S>)]) -> Self {
+        let ball = |(&(flight, track), &disc)| Ball { flight, disc, track };
         Self {
-            pending: vec![Pending::NEVER; flights.len()],
-            queue: Queue::new(flights.len()),
+            balls: balls.iter().zip(&system.discs).map(ball).collect(),
+            queue: Queue::new(balls.len()),
             diagnostics: Diagnostics::default(),
+            events: 0,
+            energy_at_start: 0.0,
             has_field: system.field != Vec2::ZERO,
             is_plain: system.field == Vec2::ZERO && !system.has_backs,
             fault: None,
             system,
-            flights,
-            tracks,
         }
     }
 
     /// Back to time zero, without giving up any memory.
     pub fn reset(&mut self) {
-        self.flights.copy_from_slice(&self.system.flights);
-        self.tracks.fill(Track::new());
-        self.diagnostics = Diagnostics::default();
-        self.fault = None;
+        for (ball, flight) in self.balls.iter_mut().zip(&self.system.flights) {
+            (ball.flight, ball.track) = (*flight, Track::new());
+        }
         self.begin();
     }
 
     fn begin(&mut self) {
-        self.diagnostics.initial_energy = self.energy_at(S::ZERO);
-        self.diagnostics.final_energy = self.diagnostics.initial_energy;
+        let (initial_energy, final_energy) = (self.energy_at_start, self.energy_at_start);
+        self.diagnostics = Diagnostics { initial_energy, final_energy, ..Diagnostics::default() };
+        (self.events, self.fault) = (0, None);
         self.predict_all();
     }
 
     /// Makes the earliest event happen, if it comes no later than `limit`; gives its time.
     #[inline(always)]
     pub fn step(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
+        if self.is_plain {
+            self.step_on::<true>(limit, observer)
+        } else {
+            self.step_on::<false>(limit, observer)
+        }
+    }
+
+    #[inline(always)]
+    fn step_on<const PLAIN: bool>(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
         loop {
-            let (ball, time) = self.queue.first();
+            let (ball, Pending { time, offset, target }) = self.queue.first();
             if time > limit || time == S::INFINITY {
                 return None;
             }
-            let Pending { offset, target, .. } = self.pending[ball];
             match target {
-                Target::Cushion(cushion) => self.strike_cushion(ball, cushion, time, offset, observer),
+                Target::Cushion(cushion) => {
+                    self.strike_cushion::<PLAIN>(ball, cushion, time, offset, observer)
+                }
                 Target::Ball(other, changes) => {
-                    if self.tracks[other as usize].changes != changes {
+                    if self.balls[other as usize].track.changes != changes {
                         self.diagnostics.stale += 1;
-                        self.predict(ball, Target::Nothing);
+                        self.predict_anew(ball);
                         continue;
                     }
-                    self.strike_ball(ball, other as usize, time, offset, observer);
+                    self.strike_ball::<PLAIN>(ball, other as usize, time, offset, observer);
                 }
                 Target::Release(cushion) => self.release(ball, cushion, time, offset, observer),
                 Target::Nothing => return None,
@@ -153,34 +140,43 @@ impl<S: Scalar> Discs<S> {
 
     /// Starts a ball's new flight, free of any cushion that held it.
     #[inline(always)]
-    pub(super) fn begin_flight(&mut self, ball: usize, time: S, position: Vec2<S>, velocity: Vec2<S>) {
-        self.flights[ball] = Flight { start: time, position, velocity, acceleration: self.system.field };
-        let track = &mut self.tracks[ball];
-        track.changes += 1;
-        track.held_by = [None; 2];
+    pub(super) fn begin_flight<const PLAIN: bool>(&mut self, ball: usize, time: S, state: State<S>) {
+        let ball = &mut self.balls[ball];
+        (ball.flight.start, ball.flight.position, ball.flight.velocity) = (time, state.0, state.1);
+        ball.track.changes += 1;
+        if !PLAIN {
+            ball.flight.acceleration = self.system.field;
+            ball.track.held_by = [None; 2];
+        }
     }
 
     /// Notes that a ball had an event, which for a ball whose events follow each other too fast is a fault.
     #[inline(always)]
     pub(super) fn note_contact(&mut self, ball: usize, time: S) {
-        let burst_time = self.system.collapse_times[ball];
-        let track = &mut self.tracks[ball];
+        let track = &mut self.balls[ball].track;
         track.last_contact = time;
-        if time - track.burst_start > burst_time {
-            (track.burst_start, track.burst) = (time, 0);
-        }
         track.burst += 1;
         if track.burst > BURST_LIMIT {
+            self.end_burst(ball, time);
+        }
+    }
+
+    /// Begins to count a ball's events anew: so many within the collapse time were too many.
+    #[cold]
+    fn end_burst(&mut self, ball: usize, time: S) {
+        let track = &mut self.balls[ball].track;
+        if time - track.burst_start <= self.system.collapse_times[ball] {
             self.fault = Some(Fault::Collapse(ball as u32));
         }
+        (track.burst_start, track.burst) = (time, 0);
     }
 
     #[inline(always)]
     pub(super) fn emit(&mut self, event: &Event<S>, observer: &mut impl Observer<S>) {
         self.diagnostics.count(event.kind);
         observer.event(event);
-        let events = self.diagnostics.total_events();
-        if events & AUDIT_MASK == 0 && events.is_power_of_two() {
+        self.events += 1;
+        if self.events & AUDIT_MASK == 0 && self.events.is_power_of_two() {
             self.audit(event.time);
         }
     }
@@ -205,6 +201,6 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     fn is_in_burst(&self, ball: usize, time: S) -> bool {
         self.system.collapse_is_elastic
-            && time - self.tracks[ball].last_contact < self.system.collapse_times[ball]
+            && time - self.balls[ball].track.last_contact < self.system.collapse_times[ball]
     }
 }

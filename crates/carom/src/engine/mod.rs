@@ -9,5 +9,6 @@ mod queue;
 mod simulation;
 mod strike;
 
-pub use discs::{Discs, Fault, Pending, Target};
+pub use discs::{Discs, Fault};
+pub use queue::{Pending, Target};
 pub use simulation::{Coming, Limits, Simulation};

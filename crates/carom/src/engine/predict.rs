@@ -1,9 +1,10 @@
 //! Prediction: a ball's next event, from the flights as they are.
 
-use super::discs::{Discs, Fault, Pending, Target};
+use super::discs::Discs;
+use super::queue::{Pending, Target};
 use crate::detect::{
-    Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_first_cushion,
-    detect_from_behind, detect_release,
+    Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_ball_in_the_clear,
+    detect_cushion_in_the_clear, detect_from_behind, detect_release,
 };
 use crate::geometry::Vec2;
 use crate::model::Face;
@@ -21,66 +22,82 @@ enum Past {
 impl<S: Scalar> Discs<S> {
     /// Predicts every ball's next event from the flights as they are.
     pub(super) fn predict_all(&mut self) {
-        for ball in 0..self.flights.len() {
-            self.predict(ball, Target::Nothing);
+        for ball in 0..self.balls.len() {
+            self.predict_anew(ball);
+        }
+    }
+
+    /// Finds a ball's next event when nothing has just happened to it.
+    pub(super) fn predict_anew(&mut self, ball: usize) {
+        if self.is_plain {
+            self.predict::<true>(ball, Target::Nothing);
+        } else {
+            self.predict::<false>(ball, Target::Nothing);
         }
     }
 
     /// Finds a ball's next event, and says whether it touches anything but `struck`, which it has just been in contact with.
-    #[inline(always)]
-    pub(super) fn predict(&mut self, ball: usize, struck: Target) -> bool {
-        if self.is_plain { self.predict_plain(ball, struck) } else { self.predict_any(ball, struck) }
-    }
-
-    /// Without field and thin walls: every flight is straight, and no cushion holds or hides a ball.
-    fn predict_plain(&mut self, ball: usize, struck: Target) -> bool {
-        let mut seen = Surroundings::CLEAR;
-        let next = self.next_cushion_straight(ball, struck, &mut seen);
-        let next = self.next_ball::<true>(ball, struck, next, &mut seen);
-        self.schedule(ball, next, &seen)
-    }
-
     #[inline(never)]
-    fn predict_any(&mut self, ball: usize, struck: Target) -> bool {
+    pub(super) fn predict<const PLAIN: bool>(&mut self, ball: usize, struck: Target) -> bool {
+        self.diagnostics.predictions += 1;
+        if PLAIN && let Some(next) = self.next_in_the_clear(ball, struck) {
+            self.queue.set(ball, next);
+            return false;
+        }
+        self.predict_near(ball, struck)
+    }
+
+    /// A ball's next event where every flight is straight, no cushion hides it, and nothing but `struck` is in touch;
+    /// `None` otherwise. The answer is that of [`Self::predict_near`], but quicker.
+    #[inline(always)]
+    fn next_in_the_clear(&self, ball: usize, struck: Target) -> Option<Pending<S>> {
+        let system = &*self.system;
+        let flight = &self.balls[ball].flight;
+        let radius = self.balls[ball].disc.radius;
+        let (struck_ball, struck_cushion) = match struck {
+            Target::Ball(other, _) => (other as usize, usize::MAX),
+            Target::Cushion(cushion) => (usize::MAX, cushion as usize),
+            _ => (usize::MAX, usize::MAX),
+        };
+        let tolerance = system.tolerance.of(radius);
+        let (cushion, offset) =
+            detect_cushion_in_the_clear(flight, radius, &system.faces, tolerance, struck_cushion)?;
+        let mut next =
+            Pending { time: flight.start + offset, offset, target: Target::Cushion(cushion as u32) };
+        for (other, their) in self.balls.iter().enumerate() {
+            let radii = radius + their.disc.radius;
+            if other == ball || other == struck_ball || radii == S::ZERO {
+                continue;
+            }
+            let offset = detect_ball_in_the_clear(flight, &their.flight, radii, &system.tolerance)?;
+            let start = later(flight.start, their.flight.start);
+            if start + offset < next.time {
+                let target = Target::Ball(other as u32, their.track.changes);
+                next = Pending { time: start + offset, offset, target };
+            }
+        }
+        Some(next)
+    }
+
+    /// The same in a field, between thin walls, or with something in touch.
+    #[inline(never)]
+    fn predict_near(&mut self, ball: usize, struck: Target) -> bool {
         let mut seen = Surroundings::CLEAR;
         let next = self.next_cushion(ball, struck, &mut seen);
-        let next = self.next_ball::<false>(ball, struck, next, &mut seen);
-        let next = if self.tracks[ball].is_held() { self.earlier_release(ball, next) } else { next };
-        self.schedule(ball, next, &seen)
-    }
-
-    #[inline(always)]
-    fn schedule(&mut self, ball: usize, next: Pending<S>, seen: &Surroundings<S>) -> bool {
-        self.pending[ball] = next;
-        self.queue.set(ball, next.time, rank(ball, next.target));
-        self.diagnostics.predictions += 1;
+        let next = self.next_ball(ball, struck, next, &mut seen);
+        let next = if self.balls[ball].track.is_held() { self.earlier_release(ball, next) } else { next };
+        self.queue.set(ball, next);
         if seen.overlap > S::ZERO {
-            self.note_overlap(ball, seen);
+            self.note_overlap(ball, seen.overlap, seen.broken);
         }
         seen.touching
-    }
-
-    /// The first cushion that a ball meets on a straight flight. `seen` is what it sees on the way.
-    #[inline(always)]
-    fn next_cushion_straight(&self, ball: usize, struck: Target, seen: &mut Surroundings<S>) -> Pending<S> {
-        let system = &*self.system;
-        let flight = &self.flights[ball];
-        let radius = system.discs[ball].radius;
-        let struck = if let Target::Cushion(cushion) = struck { cushion as usize } else { usize::MAX };
-        let tolerance = system.tolerance.of(radius);
-        match detect_first_cushion(flight, radius, &system.faces, tolerance, struck, seen) {
-            Some((cushion, offset)) => {
-                Pending { time: flight.start + offset, offset, target: Target::Cushion(cushion as u32) }
-            }
-            None => Pending::NEVER,
-        }
     }
 
     /// The first cushion that a ball meets: one that holds it, or is the other face of its thin wall, is passed over.
     fn next_cushion(&self, ball: usize, struck: Target, seen: &mut Surroundings<S>) -> Pending<S> {
         let system = &*self.system;
-        let flight = &self.flights[ball];
-        let radius = system.discs[ball].radius;
+        let flight = &self.balls[ball].flight;
+        let radius = self.balls[ball].disc.radius;
         let tolerance = system.tolerance.of(radius);
         let mut next = Pending::NEVER;
         for (number, face) in system.faces.all.iter().enumerate() {
@@ -96,8 +113,7 @@ impl<S: Scalar> Discs<S> {
     }
 
     /// The first ball that a ball meets, if it does so before its event `next`.
-    #[inline(always)]
-    fn next_ball<const STRAIGHT: bool>(
+    fn next_ball(
         &self,
         ball: usize,
         struck: Target,
@@ -105,44 +121,27 @@ impl<S: Scalar> Discs<S> {
         seen: &mut Surroundings<S>,
     ) -> Pending<S> {
         let system = &*self.system;
-        let flight = &self.flights[ball];
-        let radius = system.discs[ball].radius;
+        let flight = &self.balls[ball].flight;
+        let radius = self.balls[ball].disc.radius;
         let struck = if let Target::Ball(other, _) = struck { other as usize } else { usize::MAX };
         let mut next = next;
-        for (other, (their, disc)) in self.flights.iter().zip(&system.discs).enumerate() {
-            let radii = radius + disc.radius;
+        for (other, their) in self.balls.iter().enumerate() {
+            let radii = radius + their.disc.radius;
             if other == ball || radii == S::ZERO {
                 continue;
             }
-            if let Some(offset) = detect_ball_ball::<STRAIGHT, S>(
-                flight,
-                their,
-                radii,
-                &system.tolerance,
-                other == struck,
-                seen,
-            ) {
-                let start = if flight.start > their.start { flight.start } else { their.start };
-                if start + offset < next.time {
-                    let target = Target::Ball(other as u32, self.tracks[other].changes);
-                    next = Pending { time: start + offset, offset, target };
-                }
+            if let Some(offset) =
+                detect_ball_ball(flight, &their.flight, radii, &system.tolerance, other == struck, seen)
+            {
+                let start = later(flight.start, their.flight.start);
+                next = next.earlier(start, Some(offset), Target::Ball(other as u32, their.track.changes));
             }
         }
         next
     }
 
-    #[cold]
-    fn note_overlap(&mut self, ball: usize, seen: &Surroundings<S>) {
-        let deepest = &mut self.diagnostics.deepest_overlap;
-        *deepest = deepest.max(seen.overlap.to_f64());
-        if seen.broken {
-            self.fault = Some(Fault::Overlap(ball as u32));
-        }
-    }
-
     fn past(&self, ball: usize, cushion: u32) -> Past {
-        if self.tracks[ball].held_by.contains(&Some(cushion)) {
+        if self.balls[ball].track.held_by.contains(&Some(cushion)) {
             Past::Held
         } else if self.is_behind(ball, cushion) {
             Past::Behind
@@ -155,10 +154,10 @@ impl<S: Scalar> Discs<S> {
     /// or the direction from which it came to the place where several walls meet.
     pub(super) fn is_behind(&self, ball: usize, cushion: u32) -> bool {
         let back = self.system.backs[cushion as usize];
-        if back.is_none() || self.system.discs[ball].radius > S::ZERO {
+        if back.is_none() || self.balls[ball].disc.radius > S::ZERO {
             return false;
         }
-        let (track, position) = (&self.tracks[ball], self.flights[ball].position);
+        let (track, position) = (&self.balls[ball].track, self.balls[ball].flight.position);
         track.last_cushion == back || self.is_across(cushion, track.arrival, position)
     }
 
@@ -173,7 +172,7 @@ impl<S: Scalar> Discs<S> {
     fn detect_round_the_wall(&self, ball: usize, cushion: &Face<S>) -> Option<S> {
         match cushion {
             Face::Line(line) => {
-                detect_from_behind(&self.flights[ball], line, self.system.tolerance.of(S::ZERO))
+                detect_from_behind(&self.balls[ball].flight, line, self.system.tolerance.of(S::ZERO))
             }
             Face::Round(_) => None,
         }
@@ -181,10 +180,10 @@ impl<S: Scalar> Discs<S> {
 
     fn earlier_release(&self, ball: usize, next: Pending<S>) -> Pending<S> {
         let system = &*self.system;
-        let flight = &self.flights[ball];
-        let tolerance = system.tolerance.of(system.discs[ball].radius);
+        let flight = &self.balls[ball].flight;
+        let tolerance = system.tolerance.of(self.balls[ball].disc.radius);
         let mut next = next;
-        for cushion in self.tracks[ball].held_by.into_iter().flatten() {
+        for cushion in self.balls[ball].track.held_by.into_iter().flatten() {
             if let Face::Line(line) = &system.faces.all[cushion as usize] {
                 // Twice the tolerance: where it is let go, the ball's foot must no longer count as on the cushion.
                 let offset = detect_release(flight, line, tolerance * S::from_f64(2.0));
@@ -197,11 +196,11 @@ impl<S: Scalar> Discs<S> {
     /// The time of the next event. Predicts anew where the first pending one is stale.
     pub(super) fn next_time(&mut self) -> S {
         loop {
-            let (ball, time) = self.queue.first();
-            match self.pending.get(ball).map(|pending| pending.target) {
-                Some(Target::Ball(other, changes)) if self.tracks[other as usize].changes != changes => {
+            let (ball, Pending { time, target, .. }) = self.queue.first();
+            match target {
+                Target::Ball(other, changes) if self.balls[other as usize].track.changes != changes => {
                     self.diagnostics.stale += 1;
-                    self.predict(ball, Target::Nothing);
+                    self.predict_anew(ball);
                 }
                 _ => return time,
             }
@@ -210,22 +209,18 @@ impl<S: Scalar> Discs<S> {
 
     /// Predicts anew where a pending event is stale.
     pub(super) fn refresh(&mut self) {
-        for ball in 0..self.pending.len() {
-            while let Target::Ball(other, changes) = self.pending[ball].target {
-                if self.tracks[other as usize].changes == changes {
+        for ball in 0..self.balls.len() {
+            while let Target::Ball(other, changes) = self.queue.pending(ball).target {
+                if self.balls[other as usize].track.changes == changes {
                     break;
                 }
-                self.predict(ball, Target::Nothing);
+                self.predict_anew(ball);
             }
         }
     }
 }
 
-/// The rank of an event among those at the same time: the lower number of its balls.
 #[inline(always)]
-fn rank(ball: usize, target: Target) -> u32 {
-    match target {
-        Target::Ball(other, _) if other < ball as u32 => other,
-        _ => ball as u32,
-    }
+fn later<S: Scalar>(a: S, b: S) -> S {
+    if a > b { a } else { b }
 }

@@ -1,6 +1,6 @@
-//! Which ball's event comes first: a tournament over the balls' next event times.
+//! Which ball's event comes first: a tournament over the balls' next events.
 //!
-//! Each ball has one pending event. A match of two subtrees is won by the earlier time; a ball's change replays the
+//! Each ball has one pending event. A match of two subtrees is won by the earlier one; a ball's change replays the
 //! matches on its way to the root only. A few balls need no tournament: they are looked at one by one.
 //!
 //! An event of two balls may be pending for either of them, which depends on the past. So events at one time come in the
@@ -11,78 +11,127 @@ use crate::scalar::Scalar;
 /// Up to this many balls, the first is found by looking at all.
 const FEW: usize = 4;
 
-/// The tournament of the balls' next event times.
+/// What a ball's next event is with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Target {
+    /// No event.
+    Nothing,
+    /// Another ball, with the number of changes of course it had when this was predicted.
+    Ball(u32, u64),
+    /// A cushion.
+    Cushion(u32),
+    /// The end of the cushion that holds the ball.
+    Release(u32),
+}
+
+/// A ball's next event.
+#[derive(Clone, Copy, Debug)]
+pub struct Pending<S> {
+    /// When; infinite for never.
+    pub time: S,
+    /// The same, as offset from the later start of the flights involved, unrounded.
+    pub offset: S,
+    /// With what.
+    pub target: Target,
+}
+
+/// The balls' next events, and the tournament among them.
 #[derive(Clone, Debug)]
 pub struct Queue<S> {
-    /// Next event time of each ball, padded with infinity to a power of two.
-    times: Vec<S>,
-    /// Rank of each ball's next event among those at the same time.
-    ranks: Vec<u32>,
+    /// Next event of each ball.
+    pending: Vec<Pending<S>>,
     /// Winner of each match; the children of match k are 2k and 2k + 1, the last level's are the balls.
     winners: Vec<u32>,
+}
+
+impl<S: Scalar> Pending<S> {
+    /// No event.
+    pub const NEVER: Self = Self { time: S::INFINITY, offset: S::INFINITY, target: Target::Nothing };
+
+    /// Another event, `offset` after `start`, if that comes before this.
+    #[inline(always)]
+    pub fn earlier(self, start: S, offset: Option<S>, target: Target) -> Self {
+        match offset {
+            Some(offset) if start + offset < self.time => Self { time: start + offset, offset, target },
+            _ => self,
+        }
+    }
+
+    /// The rank among events at the same time of the event that is pending for `ball`: the lower number of its balls.
+    fn rank(&self, ball: usize) -> usize {
+        match self.target {
+            Target::Ball(other, _) => ball.min(other as usize),
+            _ => ball,
+        }
+    }
 }
 
 impl<S: Scalar> Queue<S> {
     /// A queue of `balls` balls, none of which has an event.
     pub fn new(balls: usize) -> Self {
-        let leaves = balls.next_power_of_two();
-        let matches = if leaves > FEW { leaves } else { 0 };
-        let (times, ranks) = (vec![S::INFINITY; leaves], vec![u32::MAX; leaves]);
-        let mut queue = Self { times, ranks, winners: vec![0; matches] };
-        for k in (1..matches).rev() {
-            queue.winners[k] = queue.winner_of(2 * k, 2 * k + 1);
+        let leaves = if balls > FEW { balls.next_power_of_two() } else { balls };
+        let mut winners = vec![0; if balls > FEW { leaves } else { 0 }];
+        for k in (1..winners.len()).rev() {
+            winners[k] = if 2 * k >= leaves { (2 * k - leaves) as u32 } else { winners[2 * k] };
         }
-        queue
+        Self { pending: vec![Pending::NEVER; leaves], winners }
     }
 
-    /// Sets the time of a ball's next event, and its rank among events at that time.
+    /// Sets a ball's next event.
     #[inline(always)]
-    pub fn set(&mut self, ball: usize, time: S, rank: u32) {
-        self.times[ball] = time;
-        self.ranks[ball] = rank;
-        let mut k = if self.winners.is_empty() { 0 } else { (ball + self.times.len()) / 2 };
+    pub fn set(&mut self, ball: usize, next: Pending<S>) {
+        self.pending[ball] = next;
+        if !self.winners.is_empty() {
+            self.replay(ball);
+        }
+    }
+
+    /// A ball's next event.
+    pub fn pending(&self, ball: usize) -> &Pending<S> {
+        &self.pending[ball]
+    }
+
+    /// The ball whose event comes first, and the event.
+    #[inline(always)]
+    pub fn first(&self) -> (usize, Pending<S>) {
+        if !self.winners.is_empty() {
+            let ball = self.winners[1] as usize;
+            return (ball, self.pending[ball]);
+        }
+        let mut first = (0, &Pending::NEVER);
+        for (ball, pending) in self.pending.iter().enumerate() {
+            if is_earlier((ball, pending), first) {
+                first = (ball, pending);
+            }
+        }
+        (first.0, *first.1)
+    }
+
+    fn replay(&mut self, ball: usize) {
+        let mut k = (ball + self.pending.len()) / 2;
         while k >= 1 {
-            self.winners[k] = self.winner_of(2 * k, 2 * k + 1);
+            let (left, right) = (self.player(2 * k), self.player(2 * k + 1));
+            let [first, second] = [left, right].map(|ball| (ball, &self.pending[ball]));
+            self.winners[k] = if is_earlier(second, first) { right } else { left } as u32;
             k /= 2;
         }
     }
 
-    /// The ball whose event comes first, and its time.
-    #[inline(always)]
-    pub fn first(&self) -> (usize, S) {
-        if !self.winners.is_empty() {
-            let ball = self.winners[1] as usize;
-            return (ball, self.times[ball]);
-        }
-        let mut first = 0;
-        for ball in 1..self.times.len() {
-            if self.is_earlier(ball, first) {
-                first = ball;
-            }
-        }
-        (first, self.times[first])
+    fn player(&self, node: usize) -> usize {
+        let leaves = self.pending.len();
+        if node >= leaves { node - leaves } else { self.winners[node] as usize }
     }
+}
 
-    #[inline(always)]
-    fn is_earlier(&self, a: usize, b: usize) -> bool {
-        let (time_a, time_b) = (self.times[a], self.times[b]);
-        time_a < time_b || (time_a == time_b && self.ranks[a] < self.ranks[b])
-    }
-
-    fn winner_of(&self, left: usize, right: usize) -> u32 {
-        let (left, right) = (self.player(left), self.player(right));
-        if self.is_earlier(right as usize, left as usize) { right } else { left }
-    }
-
-    fn player(&self, node: usize) -> u32 {
-        let leaves = self.times.len();
-        if node >= leaves { (node - leaves) as u32 } else { self.winners[node] }
-    }
+/// Whether the event pending for the first ball comes before that for the second.
+#[inline(always)]
+fn is_earlier<S: Scalar>((a, first): (usize, &Pending<S>), (b, second): (usize, &Pending<S>)) -> bool {
+    first.time < second.time || (first.time == second.time && first.rank(a) < second.rank(b))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Queue;
+    use super::{Pending, Queue};
 
     #[test]
     fn first_is_the_earliest_after_any_changes() {
@@ -94,8 +143,8 @@ mod tests {
                 state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
                 let (ball, time) = ((state >> 33) as usize % balls, (state >> 40) as f64);
                 times[ball] = time;
-                queue.set(ball, time, ball as u32);
-                let (first, earliest) = queue.first();
+                queue.set(ball, Pending { time, ..Pending::NEVER });
+                let (first, Pending { time: earliest, .. }) = queue.first();
                 assert_eq!(earliest, times.iter().copied().fold(f64::INFINITY, f64::min));
                 assert_eq!(times[first], earliest);
             }

@@ -1,6 +1,7 @@
 //! A run in progress.
 
-use super::discs::{Discs, Fault, Target};
+use super::discs::{Discs, Fault};
+use super::queue::Target;
 use crate::detect::cushion_gap;
 use crate::flight::State;
 use crate::run::{Kind, Log, Observer, Run, SimulationError, Status};
@@ -47,6 +48,8 @@ pub struct Simulation<S> {
     status: Option<Status>,
     /// Events of the kind waited for that had happened when these limits were set.
     seen: u64,
+    /// The number of events below which no limit but the time can be reached.
+    no_limit_before: u64,
 }
 
 impl<S: Scalar> Limits<S> {
@@ -54,13 +57,26 @@ impl<S: Scalar> Limits<S> {
     pub fn duration(duration: S) -> Self {
         Self { duration: Some(duration), collisions: None, max_events: u64::MAX, until: None }
     }
+
+    /// The number of events below which none but the time can be reached.
+    fn fewest_events(&self) -> u64 {
+        let until = self.until.map_or(u64::MAX, |_| 1);
+        self.max_events.min(self.collisions.unwrap_or(u64::MAX)).min(until)
+    }
 }
 
 impl<S: Scalar> Simulation<S> {
     /// A run of a system from time zero.
     pub fn new(system: Arc<System<S>>, limits: Limits<S>, observer: &mut impl Observer<S>) -> Self {
         let discs = Discs::new(system);
-        let simulation = Self { discs, limits, time: S::ZERO, status: None, seen: 0 };
+        let simulation = Self {
+            discs,
+            limits,
+            time: S::ZERO,
+            status: None,
+            seen: 0,
+            no_limit_before: limits.fewest_events(),
+        };
         simulation.tell_flights(observer);
         simulation
     }
@@ -78,12 +94,12 @@ impl<S: Scalar> Simulation<S> {
         let seen = limits.until.map_or(0, |kind| run.diagnostics.events[kind as usize]);
         // A run that collapsed has nowhere to go.
         let status = Some(run.status).filter(|status| *status == Status::Collapsed);
-        Self { discs, limits, time: run.end_time, status, seen }
+        Self { discs, limits, time: run.end_time, status, seen, no_limit_before: limits.fewest_events() }
     }
 
     fn tell_flights(&self, observer: &mut impl Observer<S>) {
-        for (ball, flight) in self.discs.flights.iter().enumerate() {
-            observer.flight(ball, flight);
+        for (place, ball) in self.discs.balls.iter().enumerate() {
+            observer.flight(place, &ball.flight);
         }
     }
 
@@ -203,12 +219,15 @@ impl<S: Scalar> Simulation<S> {
 
     #[inline(always)]
     fn reached_limit(&self) -> Option<Status> {
+        if self.discs.events < self.no_limit_before {
+            return None;
+        }
         let diagnostics = &self.discs.diagnostics;
         if self.limits.until.is_some_and(|kind| diagnostics.events[kind as usize] > self.seen) {
             Some(Status::Stopped)
         } else if self.limits.collisions.is_some_and(|most| diagnostics.collisions() >= most) {
             Some(Status::CollisionLimit)
-        } else if diagnostics.total_events() >= self.limits.max_events {
+        } else if self.discs.events >= self.limits.max_events {
             Some(Status::EventLimit)
         } else {
             None
@@ -219,7 +238,7 @@ impl<S: Scalar> Simulation<S> {
         if self.discs.is_at_rest() || (limit == S::INFINITY && self.discs.is_slower_than_time()) {
             self.end(Status::AtRest, self.time);
         } else if limit == S::INFINITY {
-            let moving = self.discs.flights.iter().position(|flight| !flight.is_rest());
+            let moving = self.discs.balls.iter().position(|ball| !ball.flight.is_rest());
             let ball = self.discs.system.ball_ids[moving.unwrap_or(0)].clone();
             return Err(SimulationError::Escape { ball, time: self.time.to_f64() });
         } else {
@@ -251,24 +270,24 @@ impl<S: Scalar> Simulation<S> {
 
     /// Position and velocity of each ball at the present time.
     pub fn state(&self) -> Vec<State<S>> {
-        (0..self.discs.flights.len()).map(|ball| self.discs.state_at(ball, self.time)).collect()
+        (0..self.discs.balls.len()).map(|ball| self.discs.state_at(ball, self.time)).collect()
     }
 
     /// What each ball is about to do, in the order of the balls.
     pub fn candidates(&mut self) -> Vec<Coming<S>> {
         self.discs.refresh();
-        (0..self.discs.flights.len()).map(|ball| self.coming(ball)).collect()
+        (0..self.discs.balls.len()).map(|ball| self.coming(ball)).collect()
     }
 
     fn coming(&self, ball: usize) -> Coming<S> {
-        let pending = &self.discs.pending[ball];
+        let pending = self.discs.queue.pending(ball);
         let position = self.discs.state_at(ball, self.time).0;
-        let radius = self.discs.system.discs[ball].radius;
+        let radius = self.discs.balls[ball].disc.radius;
         let (kind, other, cushion, gap) = match pending.target {
             Target::Nothing => (None, None, None, None),
             Target::Ball(other, _) => {
                 let distance = (self.discs.state_at(other as usize, self.time).0 - position).norm();
-                let gap = distance - radius - self.discs.system.discs[other as usize].radius;
+                let gap = distance - radius - self.discs.balls[other as usize].disc.radius;
                 (Some(Kind::BallBall), Some(other), None, Some(gap))
             }
             Target::Cushion(cushion) => {
@@ -286,7 +305,7 @@ impl<S: Scalar> Simulation<S> {
     pub fn finish(mut self, log: Log<S>) -> Run<S> {
         self.stop(Status::Stopped);
         let status = self.status.unwrap_or(Status::Stopped);
-        let balls = self.discs.flights.into_iter().zip(self.discs.tracks).collect();
+        let balls = self.discs.balls.iter().map(|ball| (ball.flight, ball.track)).collect();
         Run::new(self.discs.system, (status, self.time), self.discs.diagnostics, log, balls)
     }
 

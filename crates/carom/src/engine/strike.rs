@@ -4,7 +4,8 @@
 //! undone and the whole cluster resolved instead.
 
 use super::cluster::Struck;
-use super::discs::{Discs, Target};
+use super::discs::Discs;
+use super::queue::Target;
 use crate::detect::cushion_gap;
 use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
@@ -17,7 +18,7 @@ use crate::scalar::Scalar;
 impl<S: Scalar> Discs<S> {
     /// A ball meets a cushion.
     #[inline]
-    pub(super) fn strike_cushion(
+    pub(super) fn strike_cushion<const PLAIN: bool>(
         &mut self,
         ball: usize,
         cushion: u32,
@@ -25,23 +26,24 @@ impl<S: Scalar> Discs<S> {
         offset: S,
         observer: &mut impl Observer<S>,
     ) {
-        let flight = self.flights[ball];
+        let flight = self.balls[ball].flight;
         let (position, velocity) = (flight.position_after(offset), flight.velocity_after(offset));
-        let disc = self.system.discs[ball];
+        let disc = self.balls[ball].disc;
         let (normal, scale) = self.system.faces.all[cushion as usize].normal_at(position);
         let mut rebound = self.cushion_law(ball, cushion, time).rebound(velocity, normal, scale);
         // A ball pulled onto a cushion may meet it without closing; such a contact does nothing.
-        let closes = !self.has_field || -rebound.normal_velocity > closing_threshold(velocity, Vec2::ZERO);
+        let closes =
+            PLAIN || !self.has_field || -rebound.normal_velocity > closing_threshold(velocity, Vec2::ZERO);
         if !closes {
             rebound = Rebound { velocity, energy_loss: S::ZERO, ..rebound };
         }
-        let held_by = self.tracks[ball].held_by;
-        self.begin_flight(ball, time, position, rebound.velocity);
-        self.tracks[ball].last_cushion = Some(cushion);
-        if self.system.has_backs {
+        let held_by = if PLAIN { [None; 2] } else { self.balls[ball].track.held_by };
+        self.begin_flight::<PLAIN>(ball, time, (position, rebound.velocity));
+        if !PLAIN {
+            self.balls[ball].track.last_cushion = Some(cushion);
             self.note_arrival(ball, offset, velocity);
         }
-        if self.predict(ball, Target::Cushion(cushion)) || held_by[0].is_some() {
+        if self.predict::<PLAIN>(ball, Target::Cushion(cushion)) || held_by[0].is_some() {
             self.strike_cluster(&[Struck { ball, flight, held_by, elapsed: offset }], time, observer);
             return;
         }
@@ -64,14 +66,14 @@ impl<S: Scalar> Discs<S> {
         if closes {
             self.emit(&event, observer);
         }
-        if self.has_field && self.settle(ball, &[cushion], held_by, observer) {
-            self.predict(ball, Target::Cushion(cushion));
+        if !PLAIN && self.settle(ball, &[cushion], held_by, observer) {
+            self.predict::<PLAIN>(ball, Target::Cushion(cushion));
         }
-        observer.flight(ball, &self.flights[ball]);
+        observer.flight(ball, &self.balls[ball].flight);
     }
 
     /// Two balls meet.
-    pub(super) fn strike_ball(
+    pub(super) fn strike_ball<const PLAIN: bool>(
         &mut self,
         ball: usize,
         other: usize,
@@ -80,23 +82,27 @@ impl<S: Scalar> Discs<S> {
         observer: &mut impl Observer<S>,
     ) {
         let (a, b) = if ball < other { (ball, other) } else { (other, ball) };
-        let flights = [self.flights[a], self.flights[b]];
+        let flights = [self.balls[a].flight, self.balls[b].flight];
         let start = if flights[0].start > flights[1].start { flights[0].start } else { flights[1].start };
         let [(position_a, velocity_a), (position_b, velocity_b)] =
             flights.map(|f| state_after(&f, start, offset));
-        let discs = [self.system.discs[a], self.system.discs[b]];
-        let pair = Pair::new([&discs[0], &discs[1]], position_b - position_a, [velocity_a, velocity_b]);
+        let discs = [self.balls[a].disc, self.balls[b].disc];
+        let separation = position_b - position_a;
+        self.audit_distance(a, separation.norm(), discs[0].radius + discs[1].radius);
+        let pair = Pair::new([&discs[0], &discs[1]], separation, [velocity_a, velocity_b]);
         let law = self.ball_law(a, b, time);
         let impulse = law.impulse(&pair);
         let after_a = velocity_a - pair.normal * (impulse * discs[0].inverse_mass);
         let after_b = velocity_b + pair.normal * (impulse * discs[1].inverse_mass);
-        let held_by = [self.tracks[a].held_by, self.tracks[b].held_by];
-        self.begin_flight(a, time, position_a, after_a);
-        self.begin_flight(b, time, position_b, after_b);
-        self.forget_left_cushion(a);
-        self.forget_left_cushion(b);
-        let touching_a = self.predict(a, Target::Ball(b as u32, 0));
-        let touching_b = self.predict(b, Target::Ball(a as u32, 0));
+        let held_by = if PLAIN { [[None; 2]; 2] } else { [a, b].map(|ball| self.balls[ball].track.held_by) };
+        self.begin_flight::<PLAIN>(a, time, (position_a, after_a));
+        self.begin_flight::<PLAIN>(b, time, (position_b, after_b));
+        if !PLAIN {
+            self.forget_left_cushion(a);
+            self.forget_left_cushion(b);
+        }
+        let touching_a = self.predict::<PLAIN>(a, Target::Ball(b as u32, 0));
+        let touching_b = self.predict::<PLAIN>(b, Target::Ball(a as u32, 0));
         if touching_a || touching_b || held_by[0][0].is_some() || held_by[1][0].is_some() {
             let struck = |k: usize, ball| {
                 let (flight, held_by) = (flights[k], held_by[k]);
@@ -126,13 +132,16 @@ impl<S: Scalar> Discs<S> {
             cluster: None,
         };
         self.emit(&event, observer);
-        observer.flight(a, &self.flights[a]);
-        observer.flight(b, &self.flights[b]);
+        observer.flight(a, &self.balls[a].flight);
+        observer.flight(b, &self.balls[b].flight);
     }
 
     /// Notes the velocity with which a ball came to a place, unless it has been there since its last contact.
     pub(super) fn note_arrival(&mut self, ball: usize, elapsed: S, velocity: Vec2<S>) {
-        let arrival = &mut self.tracks[ball].arrival;
+        if !self.system.has_backs {
+            return;
+        }
+        let arrival = &mut self.balls[ball].track.arrival;
         if elapsed > S::ZERO || *arrival == Vec2::ZERO {
             *arrival = velocity;
         }
@@ -140,17 +149,17 @@ impl<S: Scalar> Discs<S> {
 
     /// Forgets the cushion that a point touched last, once it has left it.
     pub(super) fn forget_left_cushion(&mut self, ball: usize) {
-        let radius = self.system.discs[ball].radius;
+        let radius = self.balls[ball].disc.radius;
         if radius > S::ZERO || !self.system.has_backs {
             return;
         }
-        if let Some(cushion) = self.tracks[ball].last_cushion {
+        if let Some(cushion) = self.balls[ball].track.last_cushion {
             let tolerance = &self.system.tolerance;
             let cushion = &self.system.faces.all[cushion as usize];
-            let gap = cushion_gap(self.flights[ball].position, radius, cushion, tolerance);
+            let gap = cushion_gap(self.balls[ball].flight.position, radius, cushion, tolerance);
             if !gap.is_some_and(|gap| gap.abs() <= tolerance.of(radius)) {
-                self.tracks[ball].last_cushion = None;
-                self.tracks[ball].arrival = Vec2::ZERO;
+                self.balls[ball].track.last_cushion = None;
+                self.balls[ball].track.arrival = Vec2::ZERO;
             }
         }
     }

@@ -25,9 +25,9 @@ pub struct Track<S> {
     pub arrival: Vec2<S>,
     /// Time of its last event.
     pub last_contact: S,
-    /// Start of the present burst of events.
+    /// Since when its events are counted, to see whether they follow each other too fast.
     pub burst_start: S,
-    /// Events in it.
+    /// Events since then.
     pub burst: u32,
 }
 
@@ -81,7 +81,7 @@ impl<S: Scalar> Track<S> {
             last_cushion: None,
             arrival: Vec2::ZERO,
             last_contact: -S::INFINITY,
-            burst_start: -S::INFINITY,
+            burst_start: S::ZERO,
             burst: 0,
         }
     }
