@@ -4,7 +4,7 @@ use crate::columns::{event_columns, step_columns};
 use crate::errors::{file_error, problem, query_error, run_error, simulation_error};
 use crate::interrupt::interruptible;
 use crate::scenario::{self, Scenario};
-use crate::states::{State, vectors};
+use crate::states::vectors;
 use carom::run::{self, Digest, Kind, PHYSICS_VERSION, QueryError};
 use carom::scenario::Scenario as Checked;
 use carom::simulate;
@@ -90,10 +90,10 @@ impl Run {
 
     /// Positions and velocities at some times, (n_times, n_balls, 2) each.
     fn states<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<States<'py>> {
-        let states: Vec<State> = self.at(py, &times, |time| self.run.state(time))?;
+        let states = self.at(py, &times, |time| self.run.state(time))?;
         let shape = [states.len(), self.run.system.ball_ids.len(), 2];
-        let positions = PyArray1::from_vec(py, vectors(&states, |(position, _)| *position));
-        let velocities = PyArray1::from_vec(py, vectors(&states, |(_, velocity)| *velocity));
+        let positions = PyArray1::from_vec(py, vectors(&states, |state| state.position));
+        let velocities = PyArray1::from_vec(py, vectors(&states, |state| state.velocity));
         Ok((positions.reshape(shape)?, velocities.reshape(shape)?))
     }
 

@@ -2,7 +2,7 @@
 
 use super::discs::{Discs, Target};
 use crate::detect::{Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion};
-use crate::flight::Flight;
+use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::cluster::{Body, Passes, Touch, resolve_pairwise, resolve_reflections};
 use crate::model::Face;
@@ -402,8 +402,7 @@ impl<S: Scalar> Discs<S> {
 
 impl<S: Scalar> Member<S> {
     fn new(ball: usize, flight: Flight<S>, held_by: [Option<u32>; 2], elapsed: S) -> Self {
-        let velocity = flight.velocity_after(elapsed);
-        let position = flight.position_after(elapsed);
+        let State { position, velocity } = flight.state_after(elapsed);
         Self { ball, flight, held_by, elapsed, position, before: velocity, velocity }
     }
 }

@@ -26,7 +26,7 @@ impl<S: Scalar> Discs<S> {
         observer: &mut impl Observer<S>,
     ) {
         let flight = self.flights[ball];
-        let (position, velocity) = (flight.position_after(offset), flight.velocity_after(offset));
+        let State { position, velocity } = flight.state_after(offset);
         let disc = self.system.discs[ball];
         let (normal, scale) = self.system.faces.all[cushion as usize].normal_at(position);
         let mut rebound = self.cushion_law(ball, cushion, time).rebound(velocity, normal, scale);
@@ -82,8 +82,9 @@ impl<S: Scalar> Discs<S> {
         let (a, b) = if ball < other { (ball, other) } else { (other, ball) };
         let flights = [self.flights[a], self.flights[b]];
         let start = if flights[0].start > flights[1].start { flights[0].start } else { flights[1].start };
-        let [(position_a, velocity_a), (position_b, velocity_b)] =
-            flights.map(|f| state_after(&f, start, offset));
+        let [before_a, before_b] = flights.map(|f| state_after(&f, start, offset));
+        let (position_a, velocity_a) = (before_a.position, before_a.velocity);
+        let (position_b, velocity_b) = (before_b.position, before_b.velocity);
         let discs = [self.system.discs[a], self.system.discs[b]];
         let pair = Pair::new([&discs[0], &discs[1]], position_b - position_a, [velocity_a, velocity_b]);
         let law = self.ball_law(a, b, time);
@@ -171,12 +172,6 @@ impl<S: Scalar> Discs<S> {
 /// Position and velocity an `offset` after `start`, which is not before the flight's own start.
 #[inline(always)]
 fn state_after<S: Scalar>(flight: &Flight<S>, start: S, offset: S) -> State<S> {
-    let elapsed = start - flight.start;
-    let from_start = Flight {
-        start,
-        position: flight.position_after(elapsed),
-        velocity: flight.velocity_after(elapsed),
-        acceleration: flight.acceleration,
-    };
-    (from_start.position_after(offset), from_start.velocity_after(offset))
+    let State { position, velocity } = flight.state_after(start - flight.start);
+    Flight { start, position, velocity, acceleration: flight.acceleration }.state_after(offset)
 }

@@ -1,7 +1,7 @@
 //! A run as a JSON text: columns of events and flights, with every number exact.
 
 use super::{Diagnostics, Digest, Event, Hit, Kind, Log, PHYSICS_VERSION, Run, Status, Step, Steps, Track};
-use crate::flight::Flight;
+use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::scenario::{Scenario, ScenarioError, System};
 use serde::{Deserialize, Serialize};
@@ -289,7 +289,7 @@ impl BallEntry {
 }
 
 fn step_columns(steps: &Steps<f64>) -> StepColumns {
-    let state = |(x, v): &(Vec2<f64>, Vec2<f64>)| [x.x, x.y, v.x, v.y];
+    let state = |State { position, velocity }: &State<f64>| [position.x, position.y, velocity.x, velocity.y];
     let hit = |hit: &Option<Hit<f64>>| hit.map(|hit| (hit.after, hit.kind));
     StepColumns {
         time: steps.steps.iter().map(|step| step.time).collect(),
@@ -301,7 +301,8 @@ fn step_columns(steps: &Steps<f64>) -> StepColumns {
 
 impl StepColumns {
     fn steps(self) -> Steps<f64> {
-        let ball = |[x, y, vx, vy]: [f64; 4]| (Vec2::new(x, y), Vec2::new(vx, vy));
+        let ball =
+            |[x, y, vx, vy]: [f64; 4]| State { position: Vec2::new(x, y), velocity: Vec2::new(vx, vy) };
         let hit = |hit: &Option<(f64, Kind)>| hit.map(|(after, kind)| Hit { after, kind });
         let step = |k: usize| Step {
             time: self.time[k],
