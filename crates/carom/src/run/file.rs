@@ -1,6 +1,6 @@
 //! A run as a JSON text: columns of events and flights, with every number exact.
 
-use super::{Diagnostics, Digest, Event, Hit, Kind, Log, PHYSICS_VERSION, Run, Status, Step, Steps, Track};
+use super::{Diagnostics, Digest, Event, Hit, Kind, Log, Run, Status, Step, Steps, Track};
 use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::scenario::{Scenario, ScenarioError, System};
@@ -95,7 +95,7 @@ pub fn to_json(scenario: &Scenario, run: &Run<f64>) -> Result<String, RunFileErr
     let file = RunFile {
         format: FORMAT,
         carom: VERSION.to_owned(),
-        physics_version: PHYSICS_VERSION,
+        physics_version: run.physics_version,
         scenario: serde_json::to_value(scenario).map_err(malformed)?,
         status: run.status,
         end_time: run.end_time,
@@ -109,8 +109,8 @@ pub fn to_json(scenario: &Scenario, run: &Run<f64>) -> Result<String, RunFileErr
     serde_json::to_string(&file).map_err(malformed)
 }
 
-/// The run that a text holds, with its scenario and the version of the physics that made it.
-pub fn from_json(text: &str) -> Result<(Scenario, Run<f64>, u32), RunFileError> {
+/// The run that a text holds, with its scenario.
+pub fn from_json(text: &str) -> Result<(Scenario, Run<f64>), RunFileError> {
     let malformed = |error: serde_json::Error| RunFileError::Malformed(error.to_string());
     let value: serde_json::Value = serde_json::from_str(text).map_err(malformed)?;
     match value.get("format").and_then(serde_json::Value::as_u64) {
@@ -130,7 +130,8 @@ pub fn from_json(text: &str) -> Result<(Scenario, Run<f64>, u32), RunFileError> 
     let balls = file.balls.iter().map(BallEntry::ball).collect();
     let mut run = Run::new(system, (file.status, file.end_time), file.diagnostics, log, balls);
     run.steps = file.steps.map(StepColumns::steps);
-    Ok((scenario, run, file.physics_version))
+    run.physics_version = file.physics_version;
+    Ok((scenario, run))
 }
 
 /// Refuses columns of unequal length and indices that name nothing.

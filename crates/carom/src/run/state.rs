@@ -1,5 +1,6 @@
 //! A run, and the state it gives at any time.
 
+use super::PHYSICS_VERSION;
 use super::diagnostics::Diagnostics;
 use super::digest::{Digest, digest};
 use super::observer::Log;
@@ -34,6 +35,8 @@ pub struct Track<S> {
 /// What came out of a computation.
 #[derive(Clone, Debug)]
 pub struct Run<S> {
+    /// The version of the physics that it was made with.
+    pub physics_version: u32,
     /// What was computed.
     pub system: Arc<System<S>>,
     /// Why it ended.
@@ -100,7 +103,7 @@ impl<S: Scalar> Default for Track<S> {
 }
 
 impl<S: Scalar> Run<S> {
-    /// A run put together from its parts.
+    /// A run of this version of the physics, put together from its parts.
     pub fn new(
         system: Arc<System<S>>,
         (status, end_time): (Status, S),
@@ -109,6 +112,7 @@ impl<S: Scalar> Run<S> {
         balls: Vec<(Flight<S>, Track<S>)>,
     ) -> Self {
         Self {
+            physics_version: PHYSICS_VERSION,
             system,
             status,
             end_time,
