@@ -21,7 +21,7 @@ pub enum RunFileError {
     Malformed(String),
     /// Written by a newer version.
     #[error("the run was saved in format {0}, newer than the newest one this version reads, {FORMAT}")]
-    Newer(u32),
+    Newer(u64),
     /// The scenario in it does not pass the check.
     #[error("the scenario of the saved run: {0}")]
     Scenario(#[from] ScenarioError),
@@ -111,13 +111,10 @@ pub fn to_json(scenario: &Scenario, run: &Run<f64>) -> Result<String, RunFileErr
 
 /// The run that a text holds, with its scenario.
 pub fn from_json(text: &str) -> Result<(Scenario, Run<f64>), RunFileError> {
-    let malformed = |error: serde_json::Error| RunFileError::Malformed(error.to_string());
-    let value: serde_json::Value = serde_json::from_str(text).map_err(malformed)?;
-    match value.get("format").and_then(serde_json::Value::as_u64) {
-        Some(format) if format > u64::from(FORMAT) => return Err(RunFileError::Newer(format as u32)),
-        _ => {}
+    let file: RunFile = serde_json::from_str(text).map_err(|error| fault(text, &error))?;
+    if file.format > FORMAT {
+        return Err(RunFileError::Newer(file.format.into()));
     }
-    let file: RunFile = serde_json::from_value(value).map_err(malformed)?;
     let scenario = Scenario::from_json(&file.scenario.to_string())?;
     let system = Arc::new(System::new(&scenario));
     check(&file, &system)?;
@@ -132,6 +129,24 @@ pub fn from_json(text: &str) -> Result<(Scenario, Run<f64>), RunFileError> {
     run.steps = file.steps.map(StepColumns::steps);
     run.physics_version = file.physics_version;
     Ok((scenario, run))
+}
+
+/// Why a text cannot be read. A second look at it tells the format and the place, which would slow down the first.
+fn fault(text: &str, error: &serde_json::Error) -> RunFileError {
+    #[derive(Deserialize)]
+    struct Header {
+        format: u64,
+    }
+    if let Ok(Header { format }) = serde_json::from_str(text)
+        && format > u64::from(FORMAT)
+    {
+        return RunFileError::Newer(format);
+    }
+    let mut source = serde_json::Deserializer::from_str(text);
+    match serde_path_to_error::deserialize::<_, RunFile>(&mut source) {
+        Err(error) => RunFileError::Malformed(error.to_string()),
+        Ok(_) => RunFileError::Malformed(error.to_string()),
+    }
 }
 
 /// Refuses columns of unequal length and indices that name nothing.
