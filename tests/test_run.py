@@ -156,6 +156,23 @@ def test_verify_names_the_first_difference(run: carom.Run) -> None:
     assert found.difference["place"] == "events[2].time"
 
 
+def test_a_run_of_another_physics_says_so(run: carom.Run) -> None:
+    from carom import _engine
+
+    here = carom.PHYSICS_VERSION
+    text = run.to_json().replace(f'"physics_version":{here}', '"physics_version":7')
+    older = carom.Run(_engine.Run.from_json(text))
+    assert older.physics_version == 7
+    assert older.to_json() == text
+    assert older.verify()
+    time = repr(float(run.events["time"][2]))
+    text = text.replace(time, repr(np.nextafter(float(time), 9).item()), 1)
+    found = carom.Run(_engine.Run.from_json(text)).verify()
+    assert found.difference == {"place": "physics_version", "saved": "7", "now": str(here)}
+    with pytest.raises(carom.RunError, match="version 7"):
+        older.resume(duration=9)
+
+
 @pytest.mark.parametrize("text", ["", "[]", "{}", '{"format": 99}', '{"format": 1}'])
 def test_text_that_is_no_run_is_an_error(text: str, tmp_path: Path) -> None:
     (tmp_path / "run.json").write_text(text, encoding="utf-8")

@@ -36,7 +36,8 @@ class Verification:
     physics_version : int
         The version of the physics that the run was made with.
     difference : dict or None
-        The first difference: what it is, and its two values.
+        The first difference: its place, and the two values. Its place is ``physics_version`` where the bits differ
+        and the run was made with another version of the physics.
     """
 
     same: bool
@@ -183,7 +184,13 @@ class Run:
     def resume(
         self, *, duration: float | None = None, collisions: int | None = None, max_events: int | None = None
     ) -> Run:
-        """Give a longer run that goes on where this one ended: the same bits as one run to the new end."""
+        """Give a longer run that goes on where this one ended: the same bits as one run to the new end.
+
+        Raises
+        ------
+        RunError
+            When the run was made with another version of the physics.
+        """
         options = {"duration": duration, "collisions": collisions, "max_events": max_events}
         return Run(self._native.resume(options_json(options)))
 

@@ -1,6 +1,6 @@
 //! Events and steps as columns.
 
-use carom::geometry::Vec2;
+use carom::flight::State;
 use carom::run::{Event, Step, Steps};
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
@@ -31,10 +31,10 @@ pub fn step_columns<'py>(py: Python<'py>, steps: &Steps<f64>) -> PyResult<Bound<
     let columns = PyDict::new(py);
     columns.set_item("step", PyArray1::from_iter(py, 0..steps.len() as i64))?;
     columns.set_item("time", PyArray1::from_iter(py, steps.iter().map(|step| step.time)))?;
-    columns.set_item("x", of_balls(py, steps, |(position, _)| position.x)?)?;
-    columns.set_item("y", of_balls(py, steps, |(position, _)| position.y)?)?;
-    columns.set_item("vx", of_balls(py, steps, |(_, velocity)| velocity.x)?)?;
-    columns.set_item("vy", of_balls(py, steps, |(_, velocity)| velocity.y)?)?;
+    columns.set_item("x", of_balls(py, steps, |state| state.position.x)?)?;
+    columns.set_item("y", of_balls(py, steps, |state| state.position.y)?)?;
+    columns.set_item("vx", of_balls(py, steps, |state| state.velocity.x)?)?;
+    columns.set_item("vy", of_balls(py, steps, |state| state.velocity.y)?)?;
     let hits = steps.iter().flat_map(|step| &step.hits);
     let hits = hits.map(|hit| hit.map_or(-1, |hit| hit.kind as i8)).collect();
     columns.set_item("hit", table(py, hits, steps)?)?;
@@ -56,7 +56,7 @@ fn code(index: Option<u32>) -> i32 {
 fn of_balls<'py>(
     py: Python<'py>,
     steps: &[Step<f64>],
-    value: impl Fn(&(Vec2<f64>, Vec2<f64>)) -> f64,
+    value: impl Fn(&State<f64>) -> f64,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     table(py, steps.iter().flat_map(|step| &step.balls).map(value).collect(), steps)
 }

@@ -4,7 +4,7 @@ use crate::columns::{event_columns, step_columns};
 use crate::errors::{file_error, problem, query_error, run_error, simulation_error};
 use crate::interrupt::interruptible;
 use crate::scenario::{self, Scenario};
-use crate::states::{State, vectors};
+use crate::states::vectors;
 use carom::run::{self, Digest, Kind, PHYSICS_VERSION, QueryError};
 use carom::scenario::Scenario as Checked;
 use carom::simulate;
@@ -20,14 +20,11 @@ type States<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>);
 pub struct Run {
     scenario: Checked,
     run: run::Run<f64>,
-    /// The version of the physics that it was made with.
-    #[pyo3(get)]
-    physics_version: u32,
 }
 
 impl Run {
     pub fn new(scenario: Checked, run: run::Run<f64>) -> Self {
-        Self { scenario, run, physics_version: PHYSICS_VERSION }
+        Self { scenario, run }
     }
 
     /// A quantity at each of some times, computed without the interpreter's lock.
@@ -63,6 +60,12 @@ impl Run {
         self.run.digest().map(|digest: Digest| digest.state)
     }
 
+    /// The version of the physics that it was made with.
+    #[getter]
+    fn physics_version(&self) -> u32 {
+        self.run.physics_version
+    }
+
     /// The ids of the balls.
     #[getter]
     fn ball_ids(&self) -> Vec<String> {
@@ -90,10 +93,10 @@ impl Run {
 
     /// Positions and velocities at some times, (n_times, n_balls, 2) each.
     fn states<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<States<'py>> {
-        let states: Vec<State> = self.at(py, &times, |time| self.run.state(time))?;
+        let states = self.at(py, &times, |time| self.run.state(time))?;
         let shape = [states.len(), self.run.system.ball_ids.len(), 2];
-        let positions = PyArray1::from_vec(py, vectors(&states, |(position, _)| *position));
-        let velocities = PyArray1::from_vec(py, vectors(&states, |(_, velocity)| *velocity));
+        let positions = PyArray1::from_vec(py, vectors(&states, |state| state.position));
+        let velocities = PyArray1::from_vec(py, vectors(&states, |state| state.velocity));
         Ok((positions.reshape(shape)?, velocities.reshape(shape)?))
     }
 
@@ -138,6 +141,12 @@ impl Run {
 
     /// The one longer run, up to new limits.
     fn resume(&self, py: Python<'_>, options_json: &str) -> PyResult<Self> {
+        let version = self.run.physics_version;
+        if !simulate::is_same_physics(version) {
+            return Err(run_error(&format!(
+                "the run was made with physics version {version}, and this is version {PHYSICS_VERSION}: run its scenario anew"
+            )));
+        }
         let unlimited =
             Checked { duration: None, collisions: None, max_events: None, ..self.scenario.clone() };
         let (scenario, until) = scenario::with_options(&unlimited, options_json)?;
@@ -159,8 +168,8 @@ impl Run {
     /// Reads what `to_json` wrote.
     #[staticmethod]
     fn from_json(text: &str) -> PyResult<Self> {
-        let (scenario, run, physics_version) = run::from_json(text).map_err(file_error)?;
-        Ok(Self { scenario, run, physics_version })
+        let (scenario, run) = run::from_json(text).map_err(file_error)?;
+        Ok(Self { scenario, run })
     }
 
     /// Computes the run again and gives the first difference, as JSON text.
@@ -171,7 +180,7 @@ impl Run {
             interruptible(py, compute)?.map_err(|error| simulation_error(&error, &self.scenario))?;
         let outcome = json!({
             "same": difference.is_none(),
-            "physics_version": self.physics_version,
+            "physics_version": self.run.physics_version,
             "difference": difference,
         });
         Ok(outcome.to_string())

@@ -141,12 +141,12 @@ impl Simulation {
 
     /// The centres now, (n_balls, 2).
     fn positions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        array(py, self.simulation.state(), |(position, _)| *position)
+        array(py, self.simulation.state(), |state| state.position)
     }
 
     /// The velocities now, (n_balls, 2).
     fn velocities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        array(py, self.simulation.state(), |(_, velocity)| *velocity)
+        array(py, self.simulation.state(), |state| state.velocity)
     }
 
     /// Ends the run here.

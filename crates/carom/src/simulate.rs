@@ -36,7 +36,8 @@ pub fn simulate_until(
 
 /// Goes on from the end of a run of the same balls on the same table, up to the scenario's limits.
 ///
-/// The result is the one longer run, with the bits it would have had at once.
+/// The result is the one longer run, with the bits it would have had at once; so the run must be of this version of the
+/// physics, see [`is_same_physics`].
 pub fn resume(
     scenario: &Scenario,
     run: &Run<f64>,
@@ -124,7 +125,8 @@ pub struct Difference {
 
 /// Runs a scenario again and compares; `None` when every bit is the same, or when `interrupted` broke it off.
 ///
-/// A run that was stopped from outside is compared up to where it was.
+/// A run that was stopped from outside is compared up to where it was. Where one made with another version of the physics
+/// differs, that version is the difference: `physics_version`.
 pub fn verify(
     scenario: &Scenario,
     saved: &Run<f64>,
@@ -145,7 +147,7 @@ pub fn verify(
         }
         _ => simulate_until(scenario, None, &mut note)?,
     };
-    Ok(if broken_off { None } else { first_difference(saved, &now) })
+    Ok(if broken_off { None } else { first_difference(saved, &now).map(|found| explained(found, saved)) })
 }
 
 fn rerun_part(
@@ -173,6 +175,16 @@ fn with_steps(scenario: &Scenario, count: usize) -> Scenario {
         *steps = Some(count as u64);
     }
     part
+}
+
+/// What a difference comes from: the bits of another version of the physics need not be the same.
+fn explained(found: Difference, saved: &Run<f64>) -> Difference {
+    if is_same_physics(saved.physics_version) {
+        return found;
+    }
+    let versions = [saved.physics_version, PHYSICS_VERSION].map(|version| version.to_string());
+    let [saved, now] = versions;
+    Difference { place: "physics_version".to_owned(), saved, now }
 }
 
 fn first_difference(saved: &Run<f64>, now: &Run<f64>) -> Option<Difference> {
@@ -225,7 +237,7 @@ fn difference_of_events(k: usize, saved: &Event<f64>, now: &Event<f64>) -> Diffe
     Difference { place: format!("events[{k}].{field}"), saved, now }
 }
 
-/// Whether a saved run was made by this version of the physics.
+/// Whether a run of that version of the physics was made by this one.
 pub fn is_same_physics(version: u32) -> bool {
     version == PHYSICS_VERSION
 }

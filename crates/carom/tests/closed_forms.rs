@@ -3,6 +3,7 @@
 
 mod kit;
 
+use carom::flight::State;
 use carom::geometry::Vec2;
 use carom::run::{Event, Kind, Run};
 use carom::simulate::simulate;
@@ -70,7 +71,7 @@ fn a_graze_is_a_hit_on_one_side_of_touching_and_none_on_the_other() {
 #[test]
 fn a_disc_alone_in_a_box_is_where_unfolding_puts_it() {
     let run = run(&rectangle(1.0, 2.0), &json!({}), &[ball(0.05, [0.3, 0.4], [0.7, 0.45])], 100.0);
-    let (place, velocity) = run.final_state()[0];
+    let State { position: place, velocity } = run.final_state()[0];
     // A hundred hits with round-off of 1e-16 each, times the 100 units of time that follow.
     assert!((place.x - 0.1).abs() < 1e-10 && (place.y - 0.3).abs() < 1e-10, "at {place:?}");
     // Even numbers of hits keep a velocity's sign, odd ones turn it.
@@ -131,7 +132,7 @@ fn corner_shot(slope: f64, physics: &Value) -> (Vec2<f64>, Vec2<f64>, Vec2<f64>)
     let normal = (before * time - to_corner) * 10.0;
     assert!(normal.x < 0.0 && normal.y < 0.0, "the corner itself is met, not a side");
     assert!((hit.point - Vec2::new(1.0, 1.0)).norm() < 1e-14 && (hit.normal - normal).norm() < 1e-13);
-    (before, run.final_state()[0].1, normal)
+    (before, run.final_state()[0].velocity, normal)
 }
 
 #[test]
@@ -171,7 +172,7 @@ fn head_on_unequal_masses_part_as_the_two_conservation_laws_say() {
             let after = run.state(hit.time).unwrap();
             let expected = [((m - n) * v + 2.0 * n * w) / (m + n), ((n - m) * w + 2.0 * m * v) / (m + n)];
             for (ball, expected) in expected.into_iter().enumerate() {
-                let found = after[ball].1;
+                let found = after[ball].velocity;
                 assert!((found.x - expected).abs() < 1e-14 && found.y == 0.0, "{found:?} for {expected}");
             }
         }
@@ -192,7 +193,7 @@ fn restitution_between_balls_takes_the_energy_of_the_closing_motion() {
         let change = run.energy(0.0).unwrap() - run.energy(2.0).unwrap();
         assert!((change - loss).abs() < 1e-14, "e = {e}: {change} lost, not {loss}");
         assert!((hit.impulse - (1.0 + e) * reduced * hit.closing_speed).abs() < 1e-14);
-        let [a, b] = [0, 1].map(|k| run.final_state()[k].1);
+        let [a, b] = [0, 1].map(|k| run.final_state()[k].velocity);
         assert!(((b - a).dot(hit.normal) - e * hit.closing_speed).abs() < 1e-14);
         // Without friction the parts along the line of contact stay.
         let along = |v: Vec2<f64>| v.dot(hit.normal.left());
@@ -231,7 +232,7 @@ fn each_cushion_follows_its_own_law() {
             y = -y
         }
         expected = [expected[0] * x, expected[1] * y];
-        let (_, found) = run.state(event.time).unwrap()[0];
+        let found = run.state(event.time).unwrap()[0].velocity;
         assert_eq!([found.x, found.y], expected, "after {id}");
         seen.push(id.to_owned());
     }

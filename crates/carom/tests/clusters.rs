@@ -5,11 +5,12 @@
 
 mod kit;
 
+use carom::flight::State;
 use carom::run::{Nothing, Run, Status};
 use carom::scenario::Scenario;
 use carom::simulate::simulate;
 use kit::scenes::{Ball, ball, rectangle, scenario};
-use kit::{State, bits, bundled, start};
+use kit::{bits, bundled, start};
 use serde_json::{Value, json};
 
 fn run_for(mut scenario: Scenario, duration: f64) -> Run<f64> {
@@ -19,7 +20,7 @@ fn run_for(mut scenario: Scenario, duration: f64) -> Run<f64> {
 
 fn velocity(run: &Run<f64>, id: &str) -> [f64; 2] {
     let place = run.system.ball_ids.iter().position(|name| name == id).unwrap();
-    run.final_state()[place].1.to_f64()
+    run.final_state()[place].velocity.to_f64()
 }
 
 fn assert_close(found: [f64; 2], expected: [f64; 2], tolerance: f64, what: &str) {
@@ -46,7 +47,7 @@ fn one_ball_into_a_touching_pair_gives_the_symmetric_answer_in_every_order() {
             assert_close(velocity(&run, id), expected, 1e-12, id);
         }
         let states = run.final_state();
-        let by_file: Vec<State> =
+        let by_file: Vec<State<f64>> =
             (0..3).map(|k| states[order.iter().position(|&o| o == k).unwrap()]).collect();
         let found = bits(&by_file);
         assert_eq!(*known.get_or_insert(found.clone()), found, "order {order:?}");
@@ -108,11 +109,11 @@ fn as_many_balls_leave_the_ideal_cradle_as_came_in() {
         for count in 2..=20 {
             for incoming in 1..=3 {
                 let run = run_for(cradle(count, incoming, radius, &json!({})), 1.0);
-                for (k, (_, found)) in run.final_state().iter().enumerate() {
+                for (k, found) in run.final_state().iter().enumerate() {
                     let expected = if k >= count { 1.0 } else { 0.0 };
                     let what = format!("{incoming} into {count} of radius {radius}: ball {k}");
                     // Round-off of each pass, at most three times 23 contacts of 1e-16 each.
-                    assert_close(found.to_f64(), [expected, 0.0], 1e-12, &what);
+                    assert_close(found.velocity.to_f64(), [expected, 0.0], 1e-12, &what);
                 }
             }
         }
@@ -133,8 +134,8 @@ fn rack(back: f64, physics: &Value) -> Scenario {
     scenario(&rectangle(1.27, 2.54), physics, &balls)
 }
 
-fn energy(states: &[State]) -> f64 {
-    states.iter().map(|(_, v)| 0.5 * (v.x * v.x + v.y * v.y)).sum()
+fn energy(states: &[State<f64>]) -> f64 {
+    states.iter().map(|state| 0.5 * state.velocity.norm_squared()).sum()
 }
 
 /// Runs to the time limit, and looks at the energy after every step.
@@ -208,7 +209,7 @@ fn a_shot_into_the_corner_returns_on_its_own_line() {
             let place = |sign: f64| 0.5 - sign * (0.5 - away);
             let balls = [ball(0.1, [place(x), place(y)], [x, y])];
             let run = run_for(scenario(&rectangle(1.0, 1.0), &json!({}), &balls), 1.2);
-            let (position, velocity) = run.final_state()[0];
+            let State { position, velocity } = run.final_state()[0];
             let what = format!("from {:?}", balls[0].position);
             assert_close(velocity.to_f64(), [-x, -y], 1e-9, &what);
             // On the diagonal: (position − centre) along the line only.
@@ -225,8 +226,8 @@ fn the_symmetric_break_stays_a_mirror_image_and_is_logged_as_a_cluster() {
     // The cue ball arrives at t = (1.27 − 2r)/5 = 0.2426.
     let run = run_for(bundled("triangle_break"), 0.25);
     let states = run.final_state();
-    for (position, velocity) in &states {
-        let image = states.iter().map(|(other, speed)| {
+    for State { position, velocity } in &states {
+        let image = states.iter().map(|State { position: other, velocity: speed }| {
             let mirrored = [1.27 - other.x - position.x, other.y - position.y];
             let turned = [speed.x + velocity.x, speed.y - velocity.y];
             mirrored.into_iter().chain(turned).fold(0.0, |far: f64, part| far.max(part.abs()))

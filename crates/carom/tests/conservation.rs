@@ -11,11 +11,12 @@
 mod kit;
 
 use carom::engine::Simulation;
+use carom::flight::State;
 use carom::run::{Event, Log, Nothing};
 use kit::random::Random;
 use kit::room::Room;
 use kit::scenes::{Ball, ball, random_balls, rectangle, scenario, tables};
-use kit::{State, start_endless as start};
+use kit::start_endless as start;
 use serde_json::{Value, json};
 
 /// What is measured at the event times of a run, from the states alone.
@@ -50,11 +51,11 @@ impl Watch {
     }
 
     /// All pairs of balls.
-    fn look_at_balls(&mut self, states: &[State]) {
-        for (a, (here, _)) in states.iter().enumerate() {
-            for (b, (there, _)) in states.iter().enumerate().skip(a + 1) {
+    fn look_at_balls(&mut self, states: &[State<f64>]) {
+        for (a, here) in states.iter().enumerate() {
+            for (b, there) in states.iter().enumerate().skip(a + 1) {
                 let [one, other] = [self.balls[a].radius, self.balls[b].radius];
-                let (x, y) = (there.x - here.x, there.y - here.y);
+                let (x, y) = (there.position.x - here.position.x, there.position.y - here.position.y);
                 let radii = one + other;
                 if x * x + y * y < radii * radii {
                     let depth = radii - (x * x + y * y).sqrt();
@@ -65,16 +66,16 @@ impl Watch {
     }
 
     /// All balls and the whole boundary.
-    fn look_at_cushions(&mut self, states: &[State]) {
-        for (k, (place, _)) in states.iter().enumerate() {
+    fn look_at_cushions(&mut self, states: &[State<f64>]) {
+        for (k, State { position: place, .. }) in states.iter().enumerate() {
             let radius = self.balls[k].radius;
             let depth = self.room.depth([place.x, place.y], radius);
             self.outside = self.outside.max(depth / self.unit(radius));
         }
     }
 
-    fn energy(&self, states: &[State]) -> f64 {
-        let energy = |((place, velocity), ball): (&State, &Ball)| {
+    fn energy(&self, states: &[State<f64>]) -> f64 {
+        let energy = |(State { position: place, velocity }, ball): (&State<f64>, &Ball)| {
             let kinetic = 0.5 * (velocity.x * velocity.x + velocity.y * velocity.y);
             ball.mass * (kinetic - self.field[0] * place.x - self.field[1] * place.y)
         };
@@ -236,8 +237,8 @@ fn angular_momentum_is_kept_on_a_round_table() {
         let mut random = Random::new(seed);
         let table = json!({ "shape": "circle", "radius": 1.0 });
         let balls = random_balls(&mut random, &table, 12, [0.01, 0.1], [0.1, 10.0]);
-        let momentum = |states: &[State]| -> f64 {
-            states.iter().zip(&balls).map(|((x, v), ball)| ball.mass * (x.x * v.y - x.y * v.x)).sum()
+        let momentum = |states: &[State<f64>]| -> f64 {
+            states.iter().zip(&balls).map(|(s, ball)| ball.mass * s.position.cross(s.velocity)).sum()
         };
         let mut simulation = start(&scenario(&table, &json!({}), &balls));
         let before = momentum(&simulation.state());
@@ -271,19 +272,27 @@ fn events_say_what_happened() {
 }
 
 /// The row's normal, closing speed, impulse and point are those of the states before and after.
-fn assert_event(event: &Event<f64>, (before, elapsed): (&[State], f64), after: &[State], balls: &[Ball]) {
+fn assert_event(
+    event: &Event<f64>,
+    (before, elapsed): (&[State<f64>], f64),
+    after: &[State<f64>],
+    balls: &[Ball],
+) {
     let a = event.ball_a as usize;
-    let (normal, place) = (event.normal, after[a].0);
+    let (normal, place) = (event.normal, after[a].position);
     assert!((normal.x * normal.x + normal.y * normal.y - 1.0).abs() < 1e-15);
-    let relative = |states: &[State]| {
-        let other = event.ball_b.map_or((0.0, 0.0), |b| (states[b as usize].1.x, states[b as usize].1.y));
-        (states[a].1.x - other.0) * normal.x + (states[a].1.y - other.1) * normal.y
+    let relative = |states: &[State<f64>]| {
+        let other = event
+            .ball_b
+            .map_or((0.0, 0.0), |b| (states[b as usize].velocity.x, states[b as usize].velocity.y));
+        (states[a].velocity.x - other.0) * normal.x + (states[a].velocity.y - other.1) * normal.y
     };
     let sign = if event.ball_b.is_some() { 1.0 } else { -1.0 };
     assert!((relative(before) * sign - event.closing_speed).abs() < 1e-13, "{event:?}");
     assert!(event.closing_speed > 0.0 && event.impulse > 0.0 && elapsed >= 0.0);
     assert!((relative(after) + relative(before)).abs() < 1e-13, "elastic: {event:?}");
-    let change = (after[a].1.x - before[a].1.x) * normal.x + (after[a].1.y - before[a].1.y) * normal.y;
+    let change = (after[a].velocity.x - before[a].velocity.x) * normal.x
+        + (after[a].velocity.y - before[a].velocity.y) * normal.y;
     assert!(
         (change * balls[a].mass * -sign - event.impulse).abs() < 1e-13 * event.impulse.max(1.0),
         "{event:?}"

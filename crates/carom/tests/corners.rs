@@ -4,10 +4,11 @@
 
 mod kit;
 
+use carom::flight::State;
 use carom::run::{Nothing, Run, Status};
 use carom::simulate::simulate;
 use kit::scenes::{Ball, ball, polygon, rectangle, scenario};
-use kit::{State, start_endless};
+use kit::start_endless;
 use serde_json::{Value, json};
 
 /// The run of some balls up to a time.
@@ -18,7 +19,7 @@ fn run(table: &Value, physics: &Value, balls: &[Ball], duration: f64) -> Run<f64
 }
 
 fn velocities(run: &Run<f64>) -> Vec<[f64; 2]> {
-    run.final_state().iter().map(|(_, v)| [v.x, v.y]).collect()
+    run.final_state().iter().map(|state| state.velocity.to_f64()).collect()
 }
 
 fn assert_close(given: [f64; 2], expected: [f64; 2], tolerance: f64, what: &str) {
@@ -26,8 +27,8 @@ fn assert_close(given: [f64; 2], expected: [f64; 2], tolerance: f64, what: &str)
     assert!(apart <= tolerance, "{what}: {given:?} for {expected:?}, {apart:e} apart");
 }
 
-fn kinetic(states: &[State], balls: &[Ball]) -> f64 {
-    states.iter().zip(balls).map(|((_, v), b)| 0.5 * b.mass * (v.x * v.x + v.y * v.y)).sum()
+fn kinetic(states: &[State<f64>], balls: &[Ball]) -> f64 {
+    states.iter().zip(balls).map(|(s, b)| 0.5 * b.mass * s.velocity.norm_squared()).sum()
 }
 
 /// Roundings of energies grow with the square of the impulse, which in a narrow corner is 1/sin(half the angle) times that
@@ -58,7 +59,7 @@ fn shot_into_the_corner_of_a_square_returns_on_its_own_line() {
     for radius in [0.1, 0.0] {
         let run = run(&rectangle(2.0, 2.0), &json!({}), &[ball(radius, [0.6, 0.6], [-1.0, -1.0])], 1.0);
         assert_eq!(run.diagnostics.events, [0, 2, 0, 0]);
-        let (place, velocity) = run.final_state()[0];
+        let State { position: place, velocity } = run.final_state()[0];
         // In at radius, out again: what is left of the second is the way back.
         let back = radius + (1.0 - (0.6 - radius));
         assert_close([place.x, place.y], [back, back], 1e-15, "place");
@@ -102,7 +103,7 @@ fn narrow_corner_stops_a_ball_that_can_never_leave_it() {
             assert_eq!(run.status, Status::AtRest, "{what}");
             assert!(run.diagnostics.events[1] < 100, "{what}: {:?}", run.diagnostics.events);
             let deep = radius / libm::sin(half);
-            let (place, _) = run.final_state()[0];
+            let place = run.final_state()[0].position;
             assert_close([place.x, place.y], [deep * libm::cos(half), radius], 1e-9, &what);
             assert_eq!(run.diagnostics.forced_clusters, 0, "{what}");
         }
@@ -150,7 +151,7 @@ fn ball_as_wide_as_a_channel_runs_along_it() {
         }
         let states = simulation.state();
         assert!((kinetic(&states, &balls) - 0.545).abs() < 1e-13);
-        assert!(states.iter().all(|(x, v)| x.x == radius && v.x == 0.0), "{states:?}");
+        assert!(states.iter().all(|s| s.position.x == radius && s.velocity.x == 0.0), "{states:?}");
     }
     // It has no room to move across, and what would move it so is lost.
     let run = run(&rectangle(0.2, 4.0), &json!({}), &[ball(0.1, [0.1, 1.0], [0.3, 1.0])], 2.0);

@@ -3,11 +3,12 @@
 
 mod kit;
 
+use carom::flight::State;
 use carom::run::{Event, Log, Run, Status};
 use carom::simulate::simulate;
 use kit::random::Random;
 use kit::scenes::{Ball, ball, rack, rectangle, scenario};
-use kit::{State, start_endless};
+use kit::start_endless;
 use serde_json::{Value, json};
 
 /// The run of some balls up to a time.
@@ -17,8 +18,8 @@ fn run(table: &Value, physics: &Value, balls: &[Ball], duration: f64) -> Run<f64
     simulate(&scenario).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn kinetic(states: &[State], balls: &[Ball]) -> f64 {
-    states.iter().zip(balls).map(|((_, v), b)| 0.5 * b.mass * (v.x * v.x + v.y * v.y)).sum()
+fn kinetic(states: &[State<f64>], balls: &[Ball]) -> f64 {
+    states.iter().zip(balls).map(|(s, b)| 0.5 * b.mass * s.velocity.norm_squared()).sum()
 }
 
 /// Passes that the law needs at most for each ball, the last one without restitution included.
@@ -133,8 +134,8 @@ fn heaps_keep_momentum_and_nothing_closes_after_a_blow() {
         }
         let after = simulation.state();
         let scale: f64 = balls.iter().map(|b| b.mass * libm::hypot(b.velocity[0], b.velocity[1])).sum();
-        let sums = |states: &[State]| {
-            states.iter().zip(&balls).fold([0.0; 3], |sum, ((x, v), b)| {
+        let sums = |states: &[State<f64>]| {
+            states.iter().zip(&balls).fold([0.0; 3], |sum, (State { position: x, velocity: v }, b)| {
                 [sum[0] + b.mass * v.x, sum[1] + b.mass * v.y, sum[2] + b.mass * (x.x * v.y - x.y * v.x)]
             })
         };
@@ -152,14 +153,14 @@ fn heaps_keep_momentum_and_nothing_closes_after_a_blow() {
 }
 
 /// No two balls in contact approach each other.
-fn assert_parting(states: &[State], balls: &[Ball], what: &str) {
-    let fastest = states.iter().map(|(_, v)| libm::hypot(v.x, v.y)).fold(0.0, f64::max);
-    for (a, (here, one)) in states.iter().enumerate() {
-        for (b, (there, other)) in states.iter().enumerate().skip(a + 1) {
-            let (x, y) = (there.x - here.x, there.y - here.y);
-            let (reach, radii) = (libm::hypot(x, y), balls[a].radius + balls[b].radius);
+fn assert_parting(states: &[State<f64>], balls: &[Ball], what: &str) {
+    let fastest = states.iter().map(|s| libm::hypot(s.velocity.x, s.velocity.y)).fold(0.0, f64::max);
+    for (a, one) in states.iter().enumerate() {
+        for (b, other) in states.iter().enumerate().skip(a + 1) {
+            let separation = other.position - one.position;
+            let (reach, radii) = (libm::hypot(separation.x, separation.y), balls[a].radius + balls[b].radius);
             if reach - radii < 1e-11 {
-                let closing = ((one.x - other.x) * x + (one.y - other.y) * y) / reach;
+                let closing = (one.velocity - other.velocity).dot(separation) / reach;
                 assert!(closing < 1e-12 * fastest, "{what}: {a} and {b} close at {closing:e} of {fastest}");
             }
         }

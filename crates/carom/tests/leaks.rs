@@ -5,6 +5,7 @@ mod kit;
 
 use carom::engine::Simulation;
 use carom::flight::Flight;
+use carom::flight::State;
 use carom::geometry::Vec2;
 use carom::run::{Event, Log, Nothing, Observer};
 use carom::scenario::Scenario;
@@ -47,7 +48,7 @@ impl Guard {
             hits: [0; 2],
             passages: 0,
         };
-        for (ball, (place, _)) in simulation.state().iter().enumerate() {
+        for (ball, State { position: place, .. }) in simulation.state().iter().enumerate() {
             guard.visit(ball, *place);
         }
         guard
@@ -137,7 +138,7 @@ fn assert_stays(what: &str, table: &Value, place: [f64; 2], velocity: [f64; 2], 
         let before = simulation.diagnostics().total_events();
         simulation.step(&mut Nothing).unwrap();
         let count = simulation.diagnostics().total_events();
-        let (now, _) = simulation.state()[0];
+        let now = simulation.state()[0].position;
         assert!(count > before, "{what}: at {now:?} after {count} events, and meets nothing any more");
         let depth = room.depth([now.x, now.y], 0.0);
         assert!(depth <= far, "{what}: outside by {depth} at event {count}, {now:?}");

@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use carom::engine::{Limits, Simulation};
+use carom::flight::State;
 use carom::run::{Event, Kind, Log, Run, Status};
 use carom::scalar::{DoubleDouble, Dual, Scalar};
 use carom::scenario::schema::{AfterHit, LastStep, Method, NormalTaken};
@@ -30,7 +31,7 @@ fn run_of<S: Scalar>(system: System<S>) -> Run<S> {
 
 /// The four numbers of each ball at the end.
 fn final_numbers<S: Scalar>(run: &Run<S>) -> Vec<S> {
-    run.final_state().iter().flat_map(|(x, v)| [x.x, x.y, v.x, v.y]).collect()
+    run.final_state().iter().flat_map(|s| [s.position.x, s.position.y, s.velocity.x, s.velocity.y]).collect()
 }
 
 fn event_numbers<S: Scalar>(event: &Event<S>) -> [S; 7] {
@@ -74,7 +75,7 @@ fn first_hits_come_at_their_closed_form_times() {
     for (event, expected) in run.log.events.iter().zip(first) {
         assert!((event.time / expected - 1.0).abs() < 1e-14, "{} for {expected}", event.time);
     }
-    let (red, _) = run.state(run.log.events[0].time).unwrap()[0];
+    let red = run.state(run.log.events[0].time).unwrap()[0].position;
     assert!((red.x - 0.925).abs() < 1e-15);
     let kinds: Vec<Kind> = run.log.events.iter().map(|event| event.kind).collect();
     assert_eq!(kinds.iter().filter(|kind| **kind == Kind::BallBall).count(), 1);
@@ -221,7 +222,7 @@ fn every_reading_of_the_scheme_agrees_with_a_program_written_elsewhere() {
         for (event, time) in run.log.events.iter().zip(entry["event_times"].as_array().unwrap()) {
             near(event.time, time);
         }
-        for (ball, (x, v)) in run.final_state().iter().enumerate() {
+        for (ball, &State { position: x, velocity: v }) in run.final_state().iter().enumerate() {
             let (position, velocity) = (&entry["positions"][ball], &entry["velocities"][ball]);
             [(x.x, &position[0]), (x.y, &position[1]), (v.x, &velocity[0]), (v.y, &velocity[1])]
                 .into_iter()

@@ -10,6 +10,7 @@
 
 mod kit;
 
+use carom::flight::State;
 use carom::run::{Kind, Run, Status};
 use carom::scenario::Scenario;
 use carom::simulate::simulate;
@@ -39,11 +40,11 @@ fn count(run: &Run<f64>, kind: Kind) -> u64 {
 
 fn assert_at_rest(run: &Run<f64>, place: [f64; 2], tolerance: f64, what: &str) {
     assert_eq!(run.status, Status::AtRest, "{what}");
-    let (x, v) = run.final_state()[0];
+    let State { position: x, velocity: v } = run.final_state()[0];
     assert!(v.x == 0.0 && v.y == 0.0, "{what}: {v:?}");
     assert!(libm::hypot(x.x - place[0], x.y - place[1]) < tolerance, "{what}: {x:?}");
     // "After at_rest positions stay."
-    assert_eq!(run.state(run.end_time + 1e6).unwrap()[0].0, x, "{what}");
+    assert_eq!(run.state(run.end_time + 1e6).unwrap()[0].position, x, "{what}");
 }
 
 #[test]
@@ -171,7 +172,7 @@ fn slow_ball_on_an_edge_that_it_would_roll_around_ends_the_run() {
     assert_eq!(run.status, Status::Collapsed);
     assert!((run.end_time - 2.5).abs() < 1e-6);
     // Contacts that do not close take nothing.
-    assert!((run.final_state()[0].1.x - 0.2).abs() < 1e-15, "{:?}", run.final_state());
+    assert!((run.final_state()[0].velocity.x - 0.2).abs() < 1e-15, "{:?}", run.final_state());
 }
 
 #[test]
@@ -208,7 +209,7 @@ fn three_in_a_row_stick_together_below_seven_minus_four_root_three() {
         let what = format!("e = {e}, {collapse}: {:?}", run.diagnostics);
         assert_eq!(run.status, Status::TimeLimit, "{what}");
         assert!(run.diagnostics.total_events() < 200, "{what}");
-        let speeds: Vec<f64> = run.final_state().iter().map(|(_, v)| v.x).collect();
+        let speeds: Vec<f64> = run.final_state().iter().map(|s| s.velocity.x).collect();
         assert!((speeds.iter().sum::<f64>() - 0.3).abs() < 1e-14, "{what}");
         let spread = (speeds[2] - speeds[0]).abs();
         assert_eq!(spread < 1e-9, sticks, "{what}, velocities {speeds:?}");
@@ -305,7 +306,7 @@ fn ball_that_starts_on_a_cushion_does_what_its_velocity_says() {
         for physics in [json!({}), json!({ "ball_cushion": { "law": "damping", "factor": 0.5 } })] {
             let kept = if physics == json!({}) { 1.0 } else { 0.5 };
             let end = |run: &Run<f64>| {
-                let (_, v) = run.final_state()[0];
+                let v = run.final_state()[0].velocity;
                 (run.status, run.diagnostics.events[1], [v.x, v.y])
             };
             let (edge, corner) = ([0.0, 0.7], [0.0, 0.0]);

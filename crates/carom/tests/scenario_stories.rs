@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods)]
 #![allow(clippy::unwrap_used)]
 
+use carom::flight::State;
 use carom::run::{Run, Status};
 use carom::scenario::Scenario;
 use carom::simulate::simulate;
@@ -19,7 +20,7 @@ fn run(name: &str) -> Run<f64> {
 
 /// Velocities of all balls at a time.
 fn velocities(run: &Run<f64>, time: f64) -> Vec<[f64; 2]> {
-    run.state(time).unwrap().into_iter().map(|(_, velocity)| velocity.to_f64()).collect()
+    run.state(time).unwrap().into_iter().map(|ball| ball.velocity.to_f64()).collect()
 }
 
 #[test]
@@ -78,7 +79,7 @@ fn bounces_of_the_dropped_ball_are_a_geometric_series() {
 fn the_ball_on_the_tilted_table_comes_to_rest_in_the_corner() {
     let run = run("tilted");
     assert_eq!(run.status, Status::AtRest);
-    let (position, _) = run.final_state()[0];
+    let position = run.final_state()[0].position;
     assert!((position.x - 0.08).abs() < 1e-9 && (position.y - 0.08).abs() < 1e-9);
 }
 
@@ -86,7 +87,7 @@ fn the_ball_on_the_tilted_table_comes_to_rest_in_the_corner() {
 fn chords_in_a_circle_keep_their_distance_from_the_centre() {
     let run = run("circle");
     let distance = |time: f64| {
-        let (position, velocity) = run.state(time).unwrap()[0];
+        let State { position, velocity } = run.state(time).unwrap()[0];
         position.cross(velocity) / velocity.norm()
     };
     for step in 1..80 {
@@ -101,7 +102,7 @@ fn two_points_in_the_stadium_part_within_some_twenty_hits() {
         run.log.events.iter().filter(|event| event.ball_a == 0).map(|event| event.time).collect();
     let distance = |hit: usize| {
         let state = run.state(hits[hit]).unwrap();
-        (state[0].0 - state[1].0).norm()
+        (state[0].position - state[1].position).norm()
     };
     // A factor of three at each hit makes 7e-5 of 2e-8 in eight hits, and 1 in seventeen.
     assert!(distance(7) < 1e-3, "{}", distance(7));
@@ -144,7 +145,7 @@ fn corners_are_hit_where_the_descriptions_say_so() {
 fn the_break_starts_symmetric() {
     let run = run("triangle_break");
     let state = run.state(0.35).unwrap();
-    let mut xs: Vec<f64> = state.iter().map(|(position, _)| position.x - 0.635).collect();
+    let mut xs: Vec<f64> = state.iter().map(|ball| ball.position.x - 0.635).collect();
     xs.sort_by(f64::total_cmp);
     for (left, right) in xs.iter().zip(xs.iter().rev()) {
         assert!((left + right).abs() < 1e-9, "{xs:?}");

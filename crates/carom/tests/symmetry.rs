@@ -10,13 +10,14 @@
 
 mod kit;
 
+use carom::flight::State;
 use carom::run::{Event, Run, Status};
 use carom::scenario::Scenario;
 use carom::scenario::schema::Table;
 use carom::simulate::simulate;
 use kit::random::Random;
 use kit::scenes::{Ball, ball, polygon, rack, random_balls, rectangle, scenario, tables};
-use kit::{State, bits, bundled, scenario_files};
+use kit::{bits, bundled, scenario_files};
 use serde_json::{Value, json};
 
 /// A scenario as JSON in which every piece and obstacle has a name of its own, so that it may be moved.
@@ -344,16 +345,21 @@ fn units_that_are_powers_of_two_change_no_bit_but_the_exponents() {
                 assert_eq!(a.time * time, b.time, "{what}, {length} {time}");
                 assert_eq!(a.impulse * mass * (length / time), b.impulse, "{what}, {length} {time}");
             }
-            let scaled: Vec<State> =
-                one.final_state().into_iter().map(|(x, v)| (x * length, v * (length / time))).collect();
+            let scaled: Vec<State<f64>> = one
+                .final_state()
+                .into_iter()
+                .map(|s| State { position: s.position * length, velocity: s.velocity * (length / time) })
+                .collect();
             assert_eq!(bits(&scaled), bits(&two.final_state()), "{what}, {length} {time}");
         }
     }
 }
 
 /// The largest distance of two states, the second in units of `length`.
-fn distance(one: &[State], two: &[State], length: f64) -> f64 {
-    let apart = |((a, _), (b, _)): (&State, &State)| libm::hypot(a.x - b.x / length, a.y - b.y / length);
+fn distance(one: &[State<f64>], two: &[State<f64>], length: f64) -> f64 {
+    let apart = |(State { position: a, .. }, State { position: b, .. }): (&State<f64>, &State<f64>)| {
+        libm::hypot(a.x - b.x / length, a.y - b.y / length)
+    };
     one.iter().zip(two).map(apart).fold(0.0, f64::max)
 }
 
@@ -377,7 +383,7 @@ fn other_units_and_mirrors_change_a_run_by_round_off_only() {
         for axis in 0..2 {
             let mirrored = simulate(&mirrored(&scenario, axis)).unwrap();
             assert_eq!(run.diagnostics.events, mirrored.diagnostics.events, "seed {seed}, {name}");
-            let back: Vec<State> =
+            let back: Vec<State<f64>> =
                 mirrored.final_state().into_iter().map(|state| reflect_state(state, axis)).collect();
             let apart = distance(&run.final_state(), &back, 1.0);
             assert!(apart < tolerance, "seed {seed}, {name}: {apart:e} apart in the mirror {axis}");
@@ -385,13 +391,12 @@ fn other_units_and_mirrors_change_a_run_by_round_off_only() {
     }
 }
 
-fn reflect_state((mut x, mut v): State, axis: usize) -> State {
-    if axis == 0 {
-        (x.x, v.x) = (-x.x, -v.x);
-    } else {
-        (x.y, v.y) = (-x.y, -v.y);
+fn reflect_state(mut state: State<f64>, axis: usize) -> State<f64> {
+    for vector in [&mut state.position, &mut state.velocity] {
+        let number = if axis == 0 { &mut vector.x } else { &mut vector.y };
+        *number = -*number;
     }
-    (x, v)
+    state
 }
 
 /// The mirror image in an axis; pieces turn round, and come in the opposite order.
@@ -455,8 +460,11 @@ fn time_reversal_returns_as_far_as_chaos_allows() {
             let mut there = scenario(&table, &json!({}), &balls);
             there.duration = Some(time_of_collisions(&there, collisions_per_disc * 10));
             let run = simulate(&there).unwrap();
-            let reversed: Vec<Ball> =
-                run.final_state().into_iter().map(|(x, v)| ball(0.05, [x.x, x.y], [-v.x, -v.y])).collect();
+            let reversed: Vec<Ball> = run
+                .final_state()
+                .into_iter()
+                .map(|s| ball(0.05, s.position.to_f64(), (-s.velocity).to_f64()))
+                .collect();
             let mut back = scenario(&table, &json!({}), &reversed);
             back.duration = there.duration;
             let returned = simulate(&back).unwrap().final_state();

@@ -3,6 +3,7 @@
 
 mod kit;
 
+use carom::flight::State;
 use carom::run::{Event, Kind, Run, Status};
 use carom::scenario::Scenario;
 use carom::simulate::{simulate, simulate_until};
@@ -48,7 +49,7 @@ fn kinds(run: &Run<f64>) -> Vec<Kind> {
 /// Asserts that the run's one ball rests at a place.
 fn assert_rests(run: &Run<f64>, place: [f64; 2], what: &str) {
     assert_eq!(run.status, Status::AtRest, "{what}");
-    let (found, velocity) = run.final_state()[0];
+    let State { position: found, velocity } = run.final_state()[0];
     assert_eq!([velocity.x, velocity.y], [0.0, 0.0], "{what}");
     // A hit is found to within the contact tolerance, 2e-10 of the radius.
     let error = (found.x - place[0]).abs() + (found.y - place[1]).abs();
@@ -108,7 +109,7 @@ fn a_ball_may_start_on_a_cushion() {
         assert!((hit.time - expected).abs() < 1e-12, "{} for {expected}", hit.time);
     }
     assert_eq!(hits.len(), 3);
-    assert!((sliding.final_state()[0].0.y - 0.08).abs() < 1e-12);
+    assert!((sliding.final_state()[0].position.y - 0.08).abs() < 1e-12);
 
     let falling = run(&json!({}), &table(), &field(DOWN, 0.5), &on([0.0, -1.0]));
     let first = falling.log.events[0];

@@ -43,6 +43,9 @@ def verify(
         print_json({"run": str(run), "same": found.same, "physics_version": version, "difference": found.difference})
     elif found.same:
         print(f"{run}: same bits (physics version {version})")
+    elif found.difference and found.difference["place"] == "physics_version":
+        now = found.difference["now"]
+        say_error(str(run), f"made with physics version {version}, and this is version {now}: the bits are not the same")
     else:
         details = ", ".join(f"{name} {value}" for name, value in (found.difference or {}).items())
         say_error(str(run), f"differs (physics version {version}): {details}")

@@ -8,15 +8,14 @@ impl<S: Scalar> Discs<S> {
     /// Position and velocity of a ball at a time not before its last event.
     pub fn state_at(&self, ball: usize, time: S) -> State<S> {
         let flight = &self.balls[ball].flight;
-        let elapsed = time - flight.start;
-        (flight.position_after(elapsed), flight.velocity_after(elapsed))
+        flight.state_after(time - flight.start)
     }
 
     /// Energy of all balls: kinetic, and potential in the field.
     pub fn energy_at(&self, time: S) -> f64 {
         let mut sum = S::ZERO;
         for ball in 0..self.balls.len() {
-            let (position, velocity) = self.state_at(ball, time);
+            let State { position, velocity } = self.state_at(ball, time);
             let kinetic = S::from_f64(0.5) * velocity.norm_squared();
             sum += self.balls[ball].disc.mass * (kinetic - self.system.field.dot(position));
         }

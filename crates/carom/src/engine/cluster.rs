@@ -2,7 +2,7 @@
 
 use super::discs::Discs;
 use crate::detect::{Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion};
-use crate::flight::Flight;
+use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::cluster::{Body, Passes, Touch, resolve_pairwise, resolve_reflections};
 use crate::model::Face;
@@ -372,7 +372,7 @@ impl<S: Scalar> Discs<S> {
         let moved: Vec<usize> = (0..members.len()).filter(moved).collect();
         for &k in &moved {
             let member = &members[k];
-            self.begin_flight::<false>(member.ball, time, (member.position, member.velocity));
+            self.begin_flight::<false>(member.ball, time, member.after());
             self.note_contact(member.ball, time);
             self.forget_left_cushion(member.ball);
             if let Some(cushion) = cushions_of(k, contacts).next() {
@@ -402,9 +402,12 @@ impl<S: Scalar> Discs<S> {
 
 impl<S: Scalar> Member<S> {
     fn new(ball: usize, flight: Flight<S>, held_by: [Option<u32>; 2], elapsed: S) -> Self {
-        let velocity = flight.velocity_after(elapsed);
-        let position = flight.position_after(elapsed);
+        let State { position, velocity } = flight.state_after(elapsed);
         Self { ball, flight, held_by, elapsed, position, before: velocity, velocity }
+    }
+
+    fn after(&self) -> State<S> {
+        State { position: self.position, velocity: self.velocity }
     }
 }
 

@@ -142,7 +142,8 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     pub(super) fn begin_flight<const PLAIN: bool>(&mut self, ball: usize, time: S, state: State<S>) {
         let ball = &mut self.balls[ball];
-        (ball.flight.start, ball.flight.position, ball.flight.velocity) = (time, state.0, state.1);
+        (ball.flight.start, ball.flight.position, ball.flight.velocity) =
+            (time, state.position, state.velocity);
         ball.track.changes += 1;
         if !PLAIN {
             ball.flight.acceleration = self.system.field;

@@ -1,7 +1,7 @@
 //! A ball in a field that comes to lie on straight cushions, slides along them, and leaves them.
 
 use super::discs::Discs;
-use crate::flight::Flight;
+use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::model::{Face, Line, closing_threshold};
 use crate::run::{Event, Kind, Observer};
@@ -131,9 +131,9 @@ impl<S: Scalar> Discs<S> {
         observer: &mut impl Observer<S>,
     ) {
         let flight = self.balls[ball].flight;
-        let (position, velocity) = (flight.position_after(offset), flight.velocity_after(offset));
+        let State { position, velocity } = flight.state_after(offset);
         let (normal, _) = self.system.faces.all[cushion as usize].normal_at(position);
-        self.begin_flight::<false>(ball, time, (position, velocity));
+        self.begin_flight::<false>(ball, time, State { position, velocity });
         self.note_contact(ball, time);
         self.predict_anew(ball);
         let event = Event {

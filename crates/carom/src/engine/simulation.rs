@@ -281,12 +281,12 @@ impl<S: Scalar> Simulation<S> {
 
     fn coming(&self, ball: usize) -> Coming<S> {
         let pending = self.discs.queue.pending(ball);
-        let position = self.discs.state_at(ball, self.time).0;
+        let position = self.discs.state_at(ball, self.time).position;
         let radius = self.discs.balls[ball].disc.radius;
         let (kind, other, cushion, gap) = match pending.target {
             Target::Nothing => (None, None, None, None),
             Target::Ball(other, _) => {
-                let distance = (self.discs.state_at(other as usize, self.time).0 - position).norm();
+                let distance = (self.discs.state_at(other as usize, self.time).position - position).norm();
                 let gap = distance - radius - self.discs.balls[other as usize].disc.radius;
                 (Some(Kind::BallBall), Some(other), None, Some(gap))
             }

@@ -27,7 +27,7 @@ impl<S: Scalar> Discs<S> {
         observer: &mut impl Observer<S>,
     ) {
         let flight = self.balls[ball].flight;
-        let (position, velocity) = (flight.position_after(offset), flight.velocity_after(offset));
+        let State { position, velocity } = flight.state_after(offset);
         let disc = self.balls[ball].disc;
         let (normal, scale) = self.system.faces.all[cushion as usize].normal_at(position);
         let mut rebound = self.cushion_law(ball, cushion, time).rebound(velocity, normal, scale);
@@ -38,7 +38,7 @@ impl<S: Scalar> Discs<S> {
             rebound = Rebound { velocity, energy_loss: S::ZERO, ..rebound };
         }
         let held_by = if PLAIN { [None; 2] } else { self.balls[ball].track.held_by };
-        self.begin_flight::<PLAIN>(ball, time, (position, rebound.velocity));
+        self.begin_flight::<PLAIN>(ball, time, State { position, velocity: rebound.velocity });
         if !PLAIN {
             self.balls[ball].track.last_cushion = Some(cushion);
             self.note_arrival(ball, offset, velocity);
@@ -84,8 +84,9 @@ impl<S: Scalar> Discs<S> {
         let (a, b) = if ball < other { (ball, other) } else { (other, ball) };
         let flights = [self.balls[a].flight, self.balls[b].flight];
         let start = if flights[0].start > flights[1].start { flights[0].start } else { flights[1].start };
-        let [(position_a, velocity_a), (position_b, velocity_b)] =
-            flights.map(|f| state_after(&f, start, offset));
+        let [before_a, before_b] = flights.map(|f| state_after(&f, start, offset));
+        let (position_a, velocity_a) = (before_a.position, before_a.velocity);
+        let (position_b, velocity_b) = (before_b.position, before_b.velocity);
         let discs = [self.balls[a].disc, self.balls[b].disc];
         let separation = position_b - position_a;
         self.audit_distance(a, separation.norm(), discs[0].radius + discs[1].radius);
@@ -95,8 +96,8 @@ impl<S: Scalar> Discs<S> {
         let after_a = velocity_a - pair.normal * (impulse * discs[0].inverse_mass);
         let after_b = velocity_b + pair.normal * (impulse * discs[1].inverse_mass);
         let held_by = if PLAIN { [[None; 2]; 2] } else { [a, b].map(|ball| self.balls[ball].track.held_by) };
-        self.begin_flight::<PLAIN>(a, time, (position_a, after_a));
-        self.begin_flight::<PLAIN>(b, time, (position_b, after_b));
+        self.begin_flight::<PLAIN>(a, time, State { position: position_a, velocity: after_a });
+        self.begin_flight::<PLAIN>(b, time, State { position: position_b, velocity: after_b });
         if !PLAIN {
             self.forget_left_cushion(a);
             self.forget_left_cushion(b);
@@ -180,12 +181,6 @@ impl<S: Scalar> Discs<S> {
 /// Position and velocity an `offset` after `start`, which is not before the flight's own start.
 #[inline(always)]
 fn state_after<S: Scalar>(flight: &Flight<S>, start: S, offset: S) -> State<S> {
-    let elapsed = start - flight.start;
-    let from_start = Flight {
-        start,
-        position: flight.position_after(elapsed),
-        velocity: flight.velocity_after(elapsed),
-        acceleration: flight.acceleration,
-    };
-    (from_start.position_after(offset), from_start.velocity_after(offset))
+    let State { position, velocity } = flight.state_after(start - flight.start);
+    Flight { start, position, velocity, acceleration: flight.acceleration }.state_after(offset)
 }

@@ -7,7 +7,13 @@ use crate::geometry::Vec2;
 use crate::scalar::Scalar;
 
 /// A disc's position and velocity at some moment.
-pub type State<S> = (Vec2<S>, Vec2<S>);
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State<S> {
+    /// Position of the centre.
+    pub position: Vec2<S>,
+    /// Velocity.
+    pub velocity: Vec2<S>,
+}
 
 /// A disc's closed-form motion since its own last event. Nothing but an event of that disc replaces it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +39,12 @@ impl<S: Scalar> Flight<S> {
     #[inline(always)]
     pub fn velocity_after(&self, elapsed: S) -> Vec2<S> {
         self.velocity + self.acceleration * elapsed
+    }
+
+    /// Position and velocity a time `elapsed` after the start.
+    #[inline(always)]
+    pub fn state_after(&self, elapsed: S) -> State<S> {
+        State { position: self.position_after(elapsed), velocity: self.velocity_after(elapsed) }
     }
 
     /// Whether the flight has no acceleration.

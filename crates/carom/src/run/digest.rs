@@ -1,6 +1,6 @@
 //! The digest of a run's end: a hash that two runs share only if they agree to the last bit.
 
-use crate::geometry::Vec2;
+use crate::flight::State;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
@@ -15,14 +15,10 @@ pub struct Digest {
     pub state: String,
 }
 
-/// The digest of `events` events and the state (position, velocity of each ball) at `end_time`.
+/// The digest of `events` events and the state of each ball at `end_time`.
 ///
 /// Negative zero counts as zero. `None` if any number is NaN.
-pub fn digest(
-    events: u64,
-    end_time: f64,
-    state: impl Iterator<Item = (Vec2<f64>, Vec2<f64>)>,
-) -> Option<Digest> {
+pub fn digest(events: u64, end_time: f64, states: impl Iterator<Item = State<f64>>) -> Option<Digest> {
     let mut hasher = Sha256::new();
     let mut is_complete = true;
     let mut add = |value: f64| {
@@ -31,7 +27,7 @@ pub fn digest(
         hasher.update((value + 0.0).to_le_bytes());
     };
     add(end_time);
-    for (position, velocity) in state {
+    for State { position, velocity } in states {
         [position.x, position.y, velocity.x, velocity.y].into_iter().for_each(&mut add);
     }
     let state: String = hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect();

@@ -1,7 +1,7 @@
 //! A run as a JSON text: columns of events and flights, with every number exact.
 
-use super::{Diagnostics, Digest, Event, Hit, Kind, Log, PHYSICS_VERSION, Run, Status, Step, Steps, Track};
-use crate::flight::Flight;
+use super::{Diagnostics, Digest, Event, Hit, Kind, Log, Run, Status, Step, Steps, Track};
+use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::scenario::{Scenario, ScenarioError, System};
 use serde::{Deserialize, Serialize};
@@ -21,7 +21,7 @@ pub enum RunFileError {
     Malformed(String),
     /// Written by a newer version.
     #[error("the run was saved in format {0}, newer than the newest one this version reads, {FORMAT}")]
-    Newer(u32),
+    Newer(u64),
     /// The scenario in it does not pass the check.
     #[error("the scenario of the saved run: {0}")]
     Scenario(#[from] ScenarioError),
@@ -95,7 +95,7 @@ pub fn to_json(scenario: &Scenario, run: &Run<f64>) -> Result<String, RunFileErr
     let file = RunFile {
         format: FORMAT,
         carom: VERSION.to_owned(),
-        physics_version: PHYSICS_VERSION,
+        physics_version: run.physics_version,
         scenario: serde_json::to_value(scenario).map_err(malformed)?,
         status: run.status,
         end_time: run.end_time,
@@ -109,15 +109,12 @@ pub fn to_json(scenario: &Scenario, run: &Run<f64>) -> Result<String, RunFileErr
     serde_json::to_string(&file).map_err(malformed)
 }
 
-/// The run that a text holds, with its scenario and the version of the physics that made it.
-pub fn from_json(text: &str) -> Result<(Scenario, Run<f64>, u32), RunFileError> {
-    let malformed = |error: serde_json::Error| RunFileError::Malformed(error.to_string());
-    let value: serde_json::Value = serde_json::from_str(text).map_err(malformed)?;
-    match value.get("format").and_then(serde_json::Value::as_u64) {
-        Some(format) if format > u64::from(FORMAT) => return Err(RunFileError::Newer(format as u32)),
-        _ => {}
+/// The run that a text holds, with its scenario.
+pub fn from_json(text: &str) -> Result<(Scenario, Run<f64>), RunFileError> {
+    let file: RunFile = serde_json::from_str(text).map_err(|error| fault(text, &error))?;
+    if file.format > FORMAT {
+        return Err(RunFileError::Newer(file.format.into()));
     }
-    let file: RunFile = serde_json::from_value(value).map_err(malformed)?;
     let scenario = Scenario::from_json(&file.scenario.to_string())?;
     let system = Arc::new(System::new(&scenario));
     check(&file, &system)?;
@@ -130,7 +127,26 @@ pub fn from_json(text: &str) -> Result<(Scenario, Run<f64>, u32), RunFileError> 
     let balls = file.balls.iter().map(BallEntry::ball).collect();
     let mut run = Run::new(system, (file.status, file.end_time), file.diagnostics, log, balls);
     run.steps = file.steps.map(StepColumns::steps);
-    Ok((scenario, run, file.physics_version))
+    run.physics_version = file.physics_version;
+    Ok((scenario, run))
+}
+
+/// Why a text cannot be read. A second look at it tells the format and the place, which would slow down the first.
+fn fault(text: &str, error: &serde_json::Error) -> RunFileError {
+    #[derive(Deserialize)]
+    struct Header {
+        format: u64,
+    }
+    if let Ok(Header { format }) = serde_json::from_str(text)
+        && format > u64::from(FORMAT)
+    {
+        return RunFileError::Newer(format);
+    }
+    let mut source = serde_json::Deserializer::from_str(text);
+    match serde_path_to_error::deserialize::<_, RunFile>(&mut source) {
+        Err(error) => RunFileError::Malformed(error.to_string()),
+        Ok(_) => RunFileError::Malformed(error.to_string()),
+    }
 }
 
 /// Refuses columns of unequal length and indices that name nothing.
@@ -289,7 +305,7 @@ impl BallEntry {
 }
 
 fn step_columns(steps: &Steps<f64>) -> StepColumns {
-    let state = |(x, v): &(Vec2<f64>, Vec2<f64>)| [x.x, x.y, v.x, v.y];
+    let state = |State { position, velocity }: &State<f64>| [position.x, position.y, velocity.x, velocity.y];
     let hit = |hit: &Option<Hit<f64>>| hit.map(|hit| (hit.after, hit.kind));
     StepColumns {
         time: steps.steps.iter().map(|step| step.time).collect(),
@@ -301,7 +317,8 @@ fn step_columns(steps: &Steps<f64>) -> StepColumns {
 
 impl StepColumns {
     fn steps(self) -> Steps<f64> {
-        let ball = |[x, y, vx, vy]: [f64; 4]| (Vec2::new(x, y), Vec2::new(vx, vy));
+        let ball =
+            |[x, y, vx, vy]: [f64; 4]| State { position: Vec2::new(x, y), velocity: Vec2::new(vx, vy) };
         let hit = |hit: &Option<(f64, Kind)>| hit.map(|(after, kind)| Hit { after, kind });
         let step = |k: usize| Step {
             time: self.time[k],

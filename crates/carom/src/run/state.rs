@@ -1,5 +1,6 @@
 //! A run, and the state it gives at any time.
 
+use super::PHYSICS_VERSION;
 use super::diagnostics::Diagnostics;
 use super::digest::{Digest, digest};
 use super::observer::Log;
@@ -34,6 +35,8 @@ pub struct Track<S> {
 /// What came out of a computation.
 #[derive(Clone, Debug)]
 pub struct Run<S> {
+    /// The version of the physics that it was made with.
+    pub physics_version: u32,
     /// What was computed.
     pub system: Arc<System<S>>,
     /// Why it ended.
@@ -100,7 +103,7 @@ impl<S: Scalar> Default for Track<S> {
 }
 
 impl<S: Scalar> Run<S> {
-    /// A run put together from its parts.
+    /// A run of this version of the physics, put together from its parts.
     pub fn new(
         system: Arc<System<S>>,
         (status, end_time): (Status, S),
@@ -109,6 +112,7 @@ impl<S: Scalar> Run<S> {
         balls: Vec<(Flight<S>, Track<S>)>,
     ) -> Self {
         Self {
+            physics_version: PHYSICS_VERSION,
             system,
             status,
             end_time,
@@ -126,22 +130,22 @@ impl<S: Scalar> Run<S> {
         if let Some(steps) = &self.steps {
             return Ok(steps.state(time));
         }
-        Ok((0..self.balls.len()).map(|ball| after(self.flight(ball, time), time)).collect())
+        Ok((0..self.balls.len()).map(|ball| state_at(self.flight(ball, time), time)).collect())
     }
 
     /// Position and velocity of each ball at the end.
     pub fn final_state(&self) -> Vec<State<S>> {
         match &self.steps {
             Some(steps) => steps.state(self.end_time),
-            None => self.balls.iter().map(|(flight, _)| after(flight, self.end_time)).collect(),
+            None => self.balls.iter().map(|(flight, _)| state_at(flight, self.end_time)).collect(),
         }
     }
 
     /// Kinetic energy of all balls at a time.
     pub fn energy(&self, time: S) -> Result<S, QueryError> {
         let mut sum = S::ZERO;
-        for ((_, velocity), disc) in self.state(time)?.iter().zip(&self.system.discs) {
-            sum += disc.mass * velocity.norm_squared();
+        for (state, disc) in self.state(time)?.iter().zip(&self.system.discs) {
+            sum += disc.mass * state.velocity.norm_squared();
         }
         Ok(sum * S::from_f64(0.5))
     }
@@ -149,8 +153,8 @@ impl<S: Scalar> Run<S> {
     /// Momentum of all balls at a time.
     pub fn momentum(&self, time: S) -> Result<Vec2<S>, QueryError> {
         let mut sum = Vec2::ZERO;
-        for ((_, velocity), disc) in self.state(time)?.iter().zip(&self.system.discs) {
-            sum = sum + *velocity * disc.mass;
+        for (state, disc) in self.state(time)?.iter().zip(&self.system.discs) {
+            sum = sum + state.velocity * disc.mass;
         }
         Ok(sum)
     }
@@ -158,8 +162,11 @@ impl<S: Scalar> Run<S> {
     /// The digest of the run's end; `None` if any number in it is NaN.
     pub fn digest(&self) -> Option<Digest> {
         let f64s = |v: Vec2<S>| Vec2::new(v.x.to_f64(), v.y.to_f64());
-        let state = self.final_state().into_iter().map(|(x, v)| (f64s(x), f64s(v)));
-        digest(self.diagnostics.total_events(), self.end_time.to_f64(), state)
+        let states = self
+            .final_state()
+            .into_iter()
+            .map(|State { position, velocity }| State { position: f64s(position), velocity: f64s(velocity) });
+        digest(self.diagnostics.total_events(), self.end_time.to_f64(), states)
     }
 
     fn check_time(&self, time: S) -> Result<(), QueryError> {
@@ -195,7 +202,6 @@ impl<S: Scalar> Run<S> {
     }
 }
 
-fn after<S: Scalar>(flight: &Flight<S>, time: S) -> State<S> {
-    let elapsed = time - flight.start;
-    (flight.position_after(elapsed), flight.velocity_after(elapsed))
+fn state_at<S: Scalar>(flight: &Flight<S>, time: S) -> State<S> {
+    flight.state_after(time - flight.start)
 }

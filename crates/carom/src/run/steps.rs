@@ -41,10 +41,10 @@ impl<S: Scalar> Steps<S> {
         let next = self.steps.get(later);
         let elapsed = time - step.time;
         let state = |ball: usize| {
-            let (position, velocity) = step.balls[ball];
+            let State { position, velocity } = step.balls[ball];
             match (step.hits[ball], next) {
                 (Some(hit), Some(next)) if time >= step.time + hit.after => next.balls[ball],
-                _ => (position + velocity * elapsed, velocity),
+                _ => State { position: position + velocity * elapsed, velocity },
             }
         };
         (0..step.balls.len()).map(state).collect()

@@ -120,8 +120,8 @@ pub fn candidates<S: Scalar>(
 
 /// The course's `getdtBall`: two balls that approach and would overlap at the end of the step.
 fn ball_candidate<S: Scalar>([a, b]: [State<S>; 2], radii: S, length: S) -> Option<S> {
-    let (separation, relative) = (a.0 - b.0, a.1 - b.1);
-    let tentative = (a.0 + a.1 * length) - (b.0 + b.1 * length);
+    let (separation, relative) = (a.position - b.position, a.velocity - b.velocity);
+    let tentative = (a.position + a.velocity * length) - (b.position + b.velocity * length);
     if tentative.norm() > radii || separation.dot(relative) >= S::ZERO {
         return None;
     }
@@ -137,7 +137,7 @@ fn ball_candidate<S: Scalar>([a, b]: [State<S>; 2], radii: S, length: S) -> Opti
 
 /// The course's `getdt`, for each axis on which the ball would leave the box while moving outwards.
 fn wall_candidates<S: Scalar>(
-    (position, velocity): State<S>,
+    State { position, velocity }: State<S>,
     radius: S,
     walls: &Walls<S>,
     length: S,

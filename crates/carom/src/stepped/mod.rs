@@ -91,7 +91,11 @@ impl<S: Scalar> Scheme<S> {
     fn new(system: Arc<System<S>>, size: [S; 2], readings: Readings<S>, log: Log<S>) -> Self {
         let mut scheme = Self {
             walls: Walls { size, laws: core::array::from_fn(|k| system.cushion_laws[k]) },
-            balls: system.flights.iter().map(|flight| (flight.position, flight.velocity)).collect(),
+            balls: system
+                .flights
+                .iter()
+                .map(|flight| State { position: flight.position, velocity: flight.velocity })
+                .collect(),
             system,
             readings,
             clock: (S::ZERO, 0),
@@ -133,9 +137,9 @@ impl<S: Scalar> Scheme<S> {
         let restarts = self.readings.after_hit == AfterHit::Restart && !taken.is_empty();
         let length = if restarts { taken[0].after } else { length };
         self.steps.steps.push(Step { time: self.time, balls: self.balls.clone(), hits: self.hits(&taken) });
-        for (ball, (position, velocity)) in self.balls.iter_mut().enumerate() {
+        for (ball, state) in self.balls.iter_mut().enumerate() {
             if !taken.iter().any(|candidate| candidate.involves(ball)) {
-                *position = *position + *velocity * length;
+                state.position = state.position + state.velocity * length;
             }
         }
         for candidate in &taken {
@@ -179,12 +183,12 @@ impl<S: Scalar> Scheme<S> {
 
     fn hit_wall(&mut self, ball: usize, wall: usize, after: S) -> Event<S> {
         let disc = self.system.discs[ball];
-        let (position, velocity) = self.balls[ball];
+        let State { position, velocity } = self.balls[ball];
         let position = position + velocity * after;
         let normal = self.walls.normal(wall);
         let law: ball_cushion::Restitution<S> = self.walls.laws[wall];
         let rebound = law.rebound(velocity, normal, S::ONE);
-        self.balls[ball] = (position, rebound.velocity);
+        self.balls[ball] = State { position, velocity: rebound.velocity };
         self.diagnostics.energy_loss += (disc.mass * rebound.energy_loss).to_f64();
         Event {
             time: self.time + after,
@@ -202,16 +206,18 @@ impl<S: Scalar> Scheme<S> {
 
     fn hit_ball(&mut self, a: usize, b: usize, after: S) -> Event<S> {
         let discs = [self.system.discs[a], self.system.discs[b]];
-        let [(position_a, velocity_a), (position_b, velocity_b)] = [self.balls[a], self.balls[b]];
-        let contact = [position_a + velocity_a * after, position_b + velocity_b * after];
+        let before = [self.balls[a], self.balls[b]];
+        let velocities = before.map(|state| state.velocity);
+        let contact = before.map(|state| state.position + state.velocity * after);
         let separation = match self.readings.normal {
-            NormalTaken::Before => position_b - position_a,
+            NormalTaken::Before => before[1].position - before[0].position,
             NormalTaken::Contact => contact[1] - contact[0],
         };
-        let pair = Pair::new([&discs[0], &discs[1]], separation, [velocity_a, velocity_b]);
+        let pair = Pair::new([&discs[0], &discs[1]], separation, velocities);
         let impulse = ball_ball::Restitution::ELASTIC.impulse(&pair);
-        self.balls[a] = (contact[0], velocity_a - pair.normal * (impulse * discs[0].inverse_mass));
-        self.balls[b] = (contact[1], velocity_b + pair.normal * (impulse * discs[1].inverse_mass));
+        let change = |k: usize| pair.normal * (impulse * discs[k].inverse_mass);
+        self.balls[a] = State { position: contact[0], velocity: velocities[0] - change(0) };
+        self.balls[b] = State { position: contact[1], velocity: velocities[1] + change(1) };
         Event {
             time: self.time + after,
             kind: Kind::BallBall,
@@ -240,10 +246,10 @@ impl<S: Scalar> Scheme<S> {
     }
 
     fn note_overlap(&mut self) {
-        for (a, (position, _)) in self.balls.iter().enumerate() {
-            for (b, (other, _)) in self.balls.iter().enumerate().skip(a + 1) {
+        for (a, one) in self.balls.iter().enumerate() {
+            for (b, other) in self.balls.iter().enumerate().skip(a + 1) {
                 let radii = self.system.discs[a].radius + self.system.discs[b].radius;
-                let overlap = (radii - (*other - *position).norm()).to_f64();
+                let overlap = (radii - (other.position - one.position).norm()).to_f64();
                 self.diagnostics.deepest_overlap = self.diagnostics.deepest_overlap.max(overlap);
             }
         }
@@ -251,8 +257,8 @@ impl<S: Scalar> Scheme<S> {
 
     fn energy(&self) -> f64 {
         let mut sum = S::ZERO;
-        for ((_, velocity), Disc { mass, .. }) in self.balls.iter().zip(&self.system.discs) {
-            sum += *mass * velocity.norm_squared();
+        for (state, Disc { mass, .. }) in self.balls.iter().zip(&self.system.discs) {
+            sum += *mass * state.velocity.norm_squared();
         }
         sum.to_f64() / 2.0
     }
@@ -265,8 +271,12 @@ impl<S: Scalar> Scheme<S> {
         let drift =
             self.diagnostics.final_energy - self.diagnostics.initial_energy + self.diagnostics.energy_loss;
         self.diagnostics.energy_drift = drift.abs();
-        let flight =
-            |(position, velocity)| Flight { start: self.time, position, velocity, acceleration: Vec2::ZERO };
+        let flight = |State { position, velocity }| Flight {
+            start: self.time,
+            position,
+            velocity,
+            acceleration: Vec2::ZERO,
+        };
         let balls = self.balls.iter().map(|&ball| (flight(ball), Track::new())).collect();
         let mut run = Run::new(self.system, (status, self.time), self.diagnostics, self.log, balls);
         run.steps = Some(self.steps);

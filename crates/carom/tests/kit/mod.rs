@@ -6,14 +6,11 @@ pub mod room;
 pub mod scenes;
 
 use carom::engine::{Limits, Simulation};
-use carom::geometry::Vec2;
+use carom::flight::State;
 use carom::run::{Event, Log, Run};
 use carom::scenario::{Scenario, System};
 use std::path::PathBuf;
 use std::sync::Arc;
-
-/// Position and velocity of a ball.
-pub type State = (Vec2<f64>, Vec2<f64>);
 
 /// The name and text of every file in `scenarios/`, in order.
 pub fn scenario_files() -> Vec<(String, String)> {
@@ -44,8 +41,9 @@ pub fn start_endless(scenario: &Scenario) -> Simulation<f64> {
 }
 
 /// The bits of a state, so that equal means equal to the last of them (with −0 as +0).
-pub fn bits(states: &[State]) -> Vec<[u64; 4]> {
-    states.iter().map(|(x, v)| [x.x, x.y, v.x, v.y].map(|number| (number + 0.0).to_bits())).collect()
+pub fn bits(states: &[State<f64>]) -> Vec<[u64; 4]> {
+    let numbers = |State { position: x, velocity: v }: &State<f64>| [x.x, x.y, v.x, v.y];
+    states.iter().map(|state| numbers(state).map(|number| (number + 0.0).to_bits())).collect()
 }
 
 /// Asserts that two runs have the same events, end and state, bit for bit.
