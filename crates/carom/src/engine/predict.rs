@@ -1,6 +1,6 @@
 //! Prediction: a ball's next event, from the flights as they are.
 
-use super::discs::Discs;
+use super::discs::{Ball, Discs};
 use super::queue::{Pending, Target};
 use crate::detect::{
     Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_ball_in_the_clear,
@@ -28,6 +28,7 @@ impl<S: Scalar> Discs<S> {
     }
 
     /// Finds a ball's next event when nothing has just happened to it.
+    #[inline(never)]
     pub(super) fn predict_anew(&mut self, ball: usize) {
         if self.is_plain {
             self.predict::<true>(ball, Target::Nothing);
@@ -37,7 +38,7 @@ impl<S: Scalar> Discs<S> {
     }
 
     /// Finds a ball's next event, and says whether it touches anything but `struck`, which it has just been in contact with.
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn predict<const PLAIN: bool>(&mut self, ball: usize, struck: Target) -> bool {
         self.diagnostics.predictions += 1;
         if PLAIN && let Some(next) = self.next_in_the_clear(ball, struck) {
@@ -52,29 +53,28 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     fn next_in_the_clear(&self, ball: usize, struck: Target) -> Option<Pending<S>> {
         let system = &*self.system;
-        let flight = &self.balls[ball].flight;
-        let radius = self.balls[ball].disc.radius;
+        let Ball { flight, disc, .. } = &self.balls[ball];
         let (struck_ball, struck_cushion) = match struck {
             Target::Ball(other, _) => (other as usize, usize::MAX),
             Target::Cushion(cushion) => (usize::MAX, cushion as usize),
             _ => (usize::MAX, usize::MAX),
         };
-        let tolerance = system.tolerance.of(radius);
+        let tolerance = system.tolerance.of(disc.radius);
         let (cushion, offset) =
-            detect_cushion_in_the_clear(flight, radius, &system.faces, tolerance, struck_cushion)?;
-        let mut next =
-            Pending { time: flight.start + offset, offset, target: Target::Cushion(cushion as u32) };
-        for (other, their) in self.balls.iter().enumerate() {
-            let radii = radius + their.disc.radius;
-            if other == ball || other == struck_ball || radii == S::ZERO {
+            detect_cushion_in_the_clear(flight, disc.radius, &system.faces, tolerance, struck_cushion)?;
+        let mut next = Pending::NEVER.earlier(flight.start, Some(offset), Target::Cushion(cushion as u32));
+        for other in 0..self.balls.len() {
+            if other == ball || other == struck_ball {
+                continue;
+            }
+            let their = &self.balls[other];
+            let radii = disc.radius + their.disc.radius;
+            if radii == S::ZERO {
                 continue;
             }
             let offset = detect_ball_in_the_clear(flight, &their.flight, radii, &system.tolerance)?;
-            let start = later(flight.start, their.flight.start);
-            if start + offset < next.time {
-                let target = Target::Ball(other as u32, their.track.changes);
-                next = Pending { time: start + offset, offset, target };
-            }
+            let target = Target::Ball(other as u32, their.track.changes);
+            next = next.earlier(later(flight.start, their.flight.start), Some(offset), target);
         }
         Some(next)
     }
