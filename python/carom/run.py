@@ -112,6 +112,11 @@ class Run:
 
         Columns: ``step``, ``time``, and for each ball ``<id>.x``, ``<id>.y``, ``<id>.vx``, ``<id>.vy`` at that
         time and ``<id>.hit``, the kind of hit in the step that begins there, or None.
+
+        Raises
+        ------
+        RunError
+            When a stepped run did not keep its steps.
         """
         steps = self._native.steps()
         if steps is None:
@@ -139,7 +144,7 @@ class Run:
         Raises
         ------
         RunError
-            When a time is outside the run, or when the run kept no flights.
+            When a time is outside the run, or when the run kept no flights or steps.
         """
         at = np.asarray(times, dtype=np.float64)
         positions, velocities = self._native.states(np.ascontiguousarray(at).ravel())

@@ -123,7 +123,11 @@ impl Run {
 
     /// The steps of a stepped run; None for an exact one.
     fn steps<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        self.run.steps.as_ref().map(|steps| step_columns(py, steps)).transpose()
+        let Some(steps) = &self.run.steps else { return Ok(None) };
+        if !self.run.log.keeps_flights {
+            return Err(run_error("the run kept no steps; run with record = \"all\""));
+        }
+        step_columns(py, steps).map(Some)
     }
 
     /// What the run found out about itself, as JSON text.

@@ -65,9 +65,9 @@ pub enum QueryError {
         /// The end of the run.
         end: f64,
     },
-    /// The run did not keep its flights.
+    /// The run kept neither flights nor steps.
     #[error(
-        "the run kept no flights, so only the state at its end, {end}, is known; run with record = \"all\""
+        "the run kept no flights or steps, so only the state at its end, {end}, is known; run with record = \"all\""
     )]
     NotKept {
         /// The end of the run.
@@ -175,7 +175,7 @@ impl<S: Scalar> Run<S> {
         if !is_inside || !time.is_finite() {
             return Err(QueryError::OutsideRun { time: time.to_f64(), end });
         }
-        if !self.log.keeps_flights && self.steps.is_none() && time < self.end_time {
+        if !self.log.keeps_flights && time < self.end_time {
             return Err(QueryError::NotKept { end });
         }
         Ok(())

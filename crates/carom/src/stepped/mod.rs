@@ -38,7 +38,7 @@ pub struct Readings<S> {
 }
 
 /// Steps between two looks at whether a run should be broken off.
-const SLICE: usize = 4096;
+const SLICE: u64 = 4096;
 
 /// When a stepped run ends: at the first of these.
 pub struct Ends<'a, S> {
@@ -100,7 +100,7 @@ impl<S: Scalar> Scheme<S> {
             readings,
             clock: (S::ZERO, 0),
             time: S::ZERO,
-            steps: Steps { steps: Vec::new(), lost_time: 0.0 },
+            steps: Steps { steps: Vec::new(), count: 0, lost_time: 0.0 },
             log,
             diagnostics: Diagnostics::default(),
         };
@@ -116,11 +116,11 @@ impl<S: Scalar> Scheme<S> {
             Some(Status::Stopped)
         } else if self.diagnostics.collisions() >= ends.collisions {
             Some(Status::CollisionLimit)
-        } else if ends.duration - self.time <= round_off || self.steps.steps.len() as u64 >= ends.steps {
+        } else if ends.duration - self.time <= round_off || self.steps.count >= ends.steps {
             Some(Status::TimeLimit)
         } else if self.diagnostics.total_events() >= ends.events {
             Some(Status::EventLimit)
-        } else if self.steps.steps.len() % SLICE == SLICE - 1 && (ends.interrupted)() {
+        } else if self.steps.count % SLICE == SLICE - 1 && (ends.interrupted)() {
             Some(Status::Interrupted)
         } else {
             None
@@ -136,7 +136,11 @@ impl<S: Scalar> Scheme<S> {
         let taken = self.choose(candidates(&self.balls, &self.system.discs, &self.walls, length));
         let restarts = self.readings.after_hit == AfterHit::Restart && !taken.is_empty();
         let length = if restarts { taken[0].after } else { length };
-        self.steps.steps.push(Step { time: self.time, balls: self.balls.clone(), hits: self.hits(&taken) });
+        self.steps.count += 1;
+        if self.log.keeps_flights {
+            let hits = self.hits(&taken);
+            self.steps.steps.push(Step { time: self.time, balls: self.balls.clone(), hits });
+        }
         for (ball, state) in self.balls.iter_mut().enumerate() {
             if !taken.iter().any(|candidate| candidate.involves(ball)) {
                 state.position = state.position + state.velocity * length;
