@@ -109,6 +109,15 @@ impl Run {
         Ok(PyArray1::from_vec(py, self.at(py, &times, |time| self.run.energy(time))?))
     }
 
+    /// The potential energy in the field at some times.
+    fn potential_energy<'py>(
+        &self,
+        py: Python<'py>,
+        times: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(PyArray1::from_vec(py, self.at(py, &times, |time| self.run.potential_energy(time))?))
+    }
+
     /// The momentum at some times, (n_times, 2).
     fn momentum<'py>(
         &self,

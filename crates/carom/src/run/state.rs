@@ -141,13 +141,22 @@ impl<S: Scalar> Run<S> {
         }
     }
 
-    /// Kinetic energy of all balls at a time.
+    /// Kinetic energy of all balls at a time; with [`Self::potential_energy`] it is the energy that diagnostics speak of.
     pub fn energy(&self, time: S) -> Result<S, QueryError> {
         let mut sum = S::ZERO;
         for (state, disc) in self.state(time)?.iter().zip(&self.system.discs) {
             sum += disc.mass * state.velocity.norm_squared();
         }
         Ok(sum * S::from_f64(0.5))
+    }
+
+    /// Potential energy of all balls in the field at a time, zero at the origin: −Σ m a·x.
+    pub fn potential_energy(&self, time: S) -> Result<S, QueryError> {
+        let mut sum = S::ZERO;
+        for (state, disc) in self.state(time)?.iter().zip(&self.system.discs) {
+            sum -= disc.mass * self.system.field.dot(state.position);
+        }
+        Ok(sum)
     }
 
     /// Momentum of all balls at a time.
