@@ -231,7 +231,8 @@ def test_energy_is_drawn_with_its_jumps(method: str, request: pytest.FixtureRequ
 
 
 def test_energy_in_a_field_is_drawn_in_its_parts() -> None:
-    lines = {str(line.get_label()): np.asarray(line.get_ydata()) for line in carom.load("tilted").run().plot_energy().lines}
+    ax = carom.load("tilted").run().plot_energy()
+    lines = {str(line.get_label()): np.asarray(line.get_ydata()) for line in ax.lines}
     np.testing.assert_array_equal(lines["total"], lines["kinetic"] + lines["potential"])
     assert lines["potential"].min() >= 0.0
     assert np.all(np.diff(lines["total"]) < 1e-9 * lines["total"][0])
