@@ -230,6 +230,14 @@ def test_energy_is_drawn_with_its_jumps(method: str, request: pytest.FixtureRequ
         assert energy[at] < energy[at - 1]
 
 
+def test_energy_in_a_field_is_drawn_in_its_parts() -> None:
+    ax = carom.load("tilted").run().plot_energy()
+    lines = {str(line.get_label()): np.asarray(line.get_ydata()) for line in ax.lines}
+    np.testing.assert_array_equal(lines["total"], lines["kinetic"] + lines["potential"])
+    assert lines["potential"].min() >= 0.0
+    assert np.all(np.diff(lines["total"]) < 1e-9 * lines["total"][0])
+
+
 def test_speed_and_momentum_are_the_runs(run: carom.Run) -> None:
     for line, ball in zip(run.plot_speed().lines, range(2), strict=False):
         times = np.asarray(line.get_xdata())

@@ -54,6 +54,15 @@ def test_start_is_what_the_scenario_says(run: carom.Run) -> None:
     assert run.momentum(0.0).tolist() == [3.0, 4.0]
 
 
+def test_kinetic_and_potential_energy_are_the_audited_one(run: carom.Run) -> None:
+    tilted = carom.load("tilted").run()
+    audit = tilted.diagnostics
+    energy = tilted.energy([0.0, tilted.end_time]) + tilted.potential_energy([0.0, tilted.end_time])
+    np.testing.assert_allclose(energy, [audit["initial_energy"], audit["final_energy"]], rtol=1e-14)
+    assert tilted.potential_energy(0.0) != 0.0
+    assert run.potential_energy([0.0, 1.5]).tolist() == [0.0, 0.0]
+
+
 def test_state_at_an_event_is_the_one_after_it(run: carom.Run) -> None:
     event = run.events.by_kind("ball_ball")[0]
     before, after = run.velocities([np.nextafter(event.time, 0), event.time])

@@ -32,8 +32,8 @@ class Comparison:
     table : ColumnTable
         One row for each time step: ``dt``; ``events``, how many the stepped run has; ``missed``, how many of
         the exact run's it lacks and ``extra``, how many it has beside them (by kind, balls and cushion);
-        ``time_lost``, the time that balls waited at contacts; ``overlap``, how deep balls or cushions were
-        entered; ``error``, how far from its exact place the worst ball ends.
+        ``time_lost``, the time that balls waited at contacts; ``overlap``, how deep balls were in each
+        other at any time, within steps too; ``error``, how far from its exact place the worst ball ends.
     order : float or None
         The slope of log ``error`` against log ``dt``, over the steps whose runs have the exact run's events;
         None where fewer than two do. As the steps go to zero it goes to 1.

@@ -102,7 +102,10 @@ class Run:
 
     @cached_property
     def diagnostics(self) -> dict[str, Any]:
-        """What the run found when it audited itself: events by kind, drifts, the deepest overlap, and so on."""
+        """What the run found when it audited itself: events by kind, drifts, the deepest overlap, and so on.
+
+        Its energies are kinetic and, in a field, potential ones together.
+        """
         found: dict[str, Any] = json.loads(self._native.diagnostics())
         return found
 
@@ -112,6 +115,11 @@ class Run:
 
         Columns: ``step``, ``time``, and for each ball ``<id>.x``, ``<id>.y``, ``<id>.vx``, ``<id>.vy`` at that
         time and ``<id>.hit``, the kind of hit in the step that begins there, or None.
+
+        Raises
+        ------
+        RunError
+            When a stepped run did not keep its steps.
         """
         steps = self._native.steps()
         if steps is None:
@@ -139,7 +147,7 @@ class Run:
         Raises
         ------
         RunError
-            When a time is outside the run, or when the run kept no flights.
+            When a time is outside the run, or when the run kept no flights or steps.
         """
         at = np.asarray(times, dtype=np.float64)
         positions, velocities = self._native.states(np.ascontiguousarray(at).ravel())
@@ -155,9 +163,21 @@ class Run:
         return self.states(times)[1]
 
     def energy(self, times: ArrayLike) -> NDArray[np.float64]:
-        """Give the kinetic energy at `times`, (n_times,) float64, in mass × (length per time)²."""
+        """Give the kinetic energy at `times`, (n_times,) float64, in mass × (length per time)².
+
+        In a field it is not conserved by itself: the energy that `diagnostics` speaks of is the sum of this and
+        `potential_energy`.
+        """
         at = np.asarray(times, dtype=np.float64)
         return self._native.energy(np.ascontiguousarray(at).ravel()).reshape(at.shape)
+
+    def potential_energy(self, times: ArrayLike) -> NDArray[np.float64]:
+        """Give the potential energy in the field at `times`, (n_times,) float64, in mass × (length per time)².
+
+        It is zero for balls at the origin, and everywhere without a field.
+        """
+        at = np.asarray(times, dtype=np.float64)
+        return self._native.potential_energy(np.ascontiguousarray(at).ravel()).reshape(at.shape)
 
     def momentum(self, times: ArrayLike) -> NDArray[np.float64]:
         """Give the total momentum at `times`, (n_times, 2) float64, in mass × length per time."""

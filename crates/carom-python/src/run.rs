@@ -109,6 +109,15 @@ impl Run {
         Ok(PyArray1::from_vec(py, self.at(py, &times, |time| self.run.energy(time))?))
     }
 
+    /// The potential energy in the field at some times.
+    fn potential_energy<'py>(
+        &self,
+        py: Python<'py>,
+        times: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(PyArray1::from_vec(py, self.at(py, &times, |time| self.run.potential_energy(time))?))
+    }
+
     /// The momentum at some times, (n_times, 2).
     fn momentum<'py>(
         &self,
@@ -123,7 +132,11 @@ impl Run {
 
     /// The steps of a stepped run; None for an exact one.
     fn steps<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        self.run.steps.as_ref().map(|steps| step_columns(py, steps)).transpose()
+        let Some(steps) = &self.run.steps else { return Ok(None) };
+        if !self.run.log.keeps_flights {
+            return Err(run_error("the run kept no steps; run with record = \"all\""));
+        }
+        step_columns(py, steps).map(Some)
     }
 
     /// What the run found out about itself, as JSON text.

@@ -140,7 +140,7 @@ pub fn verify(
     let now = match (saved.status, &saved.steps) {
         (Status::Stopped | Status::Interrupted, None) => rerun_part(scenario, saved, &mut note)?,
         (Status::Stopped | Status::Interrupted, Some(steps)) => {
-            let part = with_steps(scenario, steps.steps.len() - 1);
+            let part = with_steps(scenario, steps.count);
             let mut now = simulate_until(&part, None, &mut note)?;
             now.status = saved.status;
             now
@@ -169,10 +169,10 @@ fn rerun_part(
 }
 
 /// A scenario of the fixed-step method that ends after a number of steps.
-fn with_steps(scenario: &Scenario, count: usize) -> Scenario {
+fn with_steps(scenario: &Scenario, count: u64) -> Scenario {
     let mut part = scenario.clone();
     if let Method::Stepped { steps, .. } = &mut part.method {
-        *steps = Some(count as u64);
+        *steps = Some(count);
     }
     part
 }

@@ -5,7 +5,7 @@
 mod kit;
 
 use carom::engine::Simulation;
-use carom::run::{Event, Kind, Log, Nothing, PHYSICS_VERSION, Run, Status, from_json, to_json};
+use carom::run::{Event, Kind, Log, Nothing, PHYSICS_VERSION, QueryError, Run, Status, from_json, to_json};
 use carom::scenario::schema::Record;
 use carom::scenario::{Scenario, System};
 use carom::simulate::{Difference, limits_of, log_of, resume, simulate, simulate_until, verify};
@@ -285,6 +285,27 @@ fn a_run_stopped_at_one_of_several_events_at_a_time_verifies() {
         [0, 1],
         "events at one time come in the order of the balls, whoever was predicted last"
     );
+}
+
+#[test]
+fn a_stepped_run_keeps_what_it_is_told_to() {
+    let mut scenario = kit::bundled("midterm_stepped");
+    let whole = run(&scenario);
+    let steps = whole.steps.clone().unwrap();
+    assert_eq!(steps.steps.len() as u64, steps.count + 1);
+    for record in [Record::Events, Record::None] {
+        scenario.record = record;
+        let short = run(&scenario);
+        assert_eq!(short.steps.as_ref().unwrap().steps, steps.steps[steps.steps.len() - 1..]);
+        assert_eq!(short.diagnostics, whole.diagnostics);
+        assert_eq!(bits(&short.state(short.end_time).unwrap()), bits(&whole.final_state()));
+        assert!(matches!(short.state(0.5 * short.end_time), Err(QueryError::NotKept { .. })));
+        let (scenario, read) = saved_and_read(&scenario, &short);
+        assert_eq!((&read.steps, &read.log), (&short.steps, &short.log));
+        assert_eq!(verified(&scenario, &read), None);
+    }
+    let (_, read) = saved_and_read(&scenario, &whole);
+    assert!(read.state(0.5 * read.end_time).is_ok());
 }
 
 #[test]

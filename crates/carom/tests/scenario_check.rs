@@ -254,6 +254,18 @@ fn the_stepped_method_says_what_it_cannot_do() {
         problems(&stepped.replace("dt = 0.03", "dt = 1e-300")),
         ["method.dt: is too short: 5e300 steps to the duration"]
     );
+    let kept =
+        "and a run of 2 balls keeps 5000000 at most; with record = \"events\" or \"none\" it keeps none";
+    let short = stepped.replace("dt = 0.03", "dt = 1e-7");
+    assert_eq!(problems(&short), [format!("method.dt: makes 50000000 steps, {kept}")]);
+    assert_eq!(
+        problems(&stepped.replace("dt = 0.03", "dt = 0.03\nsteps = 5001000")),
+        [format!("method.steps: makes 5001000 steps, {kept}")]
+    );
+    for record in ["events", "none"] {
+        assert_eq!(problems(&format!("record = '{record}'\n{short}")), [""; 0]);
+    }
+    assert_eq!(problems(&stepped.replace("dt = 0.03", "dt = 1e-6")), [""; 0]);
     let text = "method = { kind = 'stepped', dt = 0.1 }\nduration = 1\n\
                 physics.flight = { law = 'field', acceleration = [0, -1] }\n\
                 physics.ball_ball = { law = 'restitution', normal = 0.9 }\n\

@@ -45,7 +45,7 @@ def verify(
         print(f"{run}: same bits (physics version {version})")
     elif found.difference and found.difference["place"] == "physics_version":
         now = found.difference["now"]
-        say_error(str(run), f"made with physics version {version}, and this is version {now}: the bits are not the same")
+        say_error(str(run), f"made with physics version {version}, and this is version {now}: not the same bits")
     else:
         details = ", ".join(f"{name} {value}" for name, value in (found.difference or {}).items())
         say_error(str(run), f"differs (physics version {version}): {details}")

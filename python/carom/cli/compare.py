@@ -36,8 +36,9 @@ def compare(
     """Compare the stepped method with the exact run.
 
     For each of some time steps: how many events the stepped run has, how many of the exact run's it misses
-    and how many it adds; the time that balls lost waiting at contacts; the deepest overlap; how far from its
-    exact place the worst ball ends. With --out also write comparison.csv and a log-log figure of that error.
+    and how many it adds; the time that balls lost waiting at contacts; the deepest overlap of two balls, within
+    steps too; how far from its exact place the worst ball ends. With --out also write comparison.csv and a
+    log-log figure of that error.
     """
     from carom.comparison import DEFAULT_STEPS, compare
 

@@ -116,9 +116,9 @@ def _write_data(run: Run, folder: Path, sample: float | None) -> list[str]:
             raise ScenarioError([("--sample", f"{step:g} would make more than {MOST_SAMPLES:g} rows")])
         run.trajectory(run.sample_times(step)).to_csv(folder / "trajectory.csv")
         written.append("trajectory.csv")
-    if run.steps is not None:
-        run.steps.to_csv(folder / "steps.csv")
-        written.append("steps.csv")
+        if run.steps is not None:
+            run.steps.to_csv(folder / "steps.csv")
+            written.append("steps.csv")
     return written
 
 

@@ -27,7 +27,8 @@ LEGEND_COLUMNS = 6
 def plot_energy(run: Run, ax: Axes | None = None) -> Axes:
     """Draw the total energy and every ball's kinetic energy against time.
 
-    In a field the total includes the potential energy, which is zero at the lowest corner of the table's bounds.
+    In a field the kinetic and the potential energy of all balls are drawn too, and the total is their sum; the
+    potential energy is zero at the lowest corner of the table's bounds.
 
     Parameters
     ----------
@@ -41,16 +42,17 @@ def plot_energy(run: Run, ax: Axes | None = None) -> Axes:
     Axes
     """
     scene = Scene.of(run.scenario)
-    ax = _new_axes(scene) if ax is None else ax
+    in_field = bool(np.any(scene.field != 0.0))
+    ax = _new_axes(scene, more=2 if in_field else 0) if ax is None else ax
     times = draw_times(run, SAMPLES)
-    positions, velocities = run.states(times)
-    _draw_balls(ax, scene, times, 0.5 * scene.masses * np.sum(np.square(velocities), axis=-1))
+    _draw_balls(ax, scene, times, 0.5 * scene.masses * np.sum(np.square(run.velocities(times)), axis=-1))
     total = run.energy(times)
-    label = "total"
-    if np.any(scene.field != 0.0):
-        total = total + _potential(scene, positions[..., :2])
-        label = "total, with potential"
-    ax.plot(times, total, color=style.INK, linewidth=1.8, label=label, zorder=3)
+    if in_field:
+        potential = run.potential_energy(times) - _lowest_potential(scene)
+        for values, name, dashes in ((total, "kinetic", "--"), (potential, "potential", ":")):
+            ax.plot(times, values, color=style.INK, linewidth=1.2, linestyle=dashes, label=name, zorder=3)
+        total = total + potential
+    ax.plot(times, total, color=style.INK, linewidth=1.8, label="total", zorder=3)
     return _finish(ax, run, scene, scene.label("energy", "energy"), from_zero=True)
 
 
@@ -99,17 +101,16 @@ def plot_momentum(run: Run, ax: Axes | None = None) -> Axes:
     return _finish(ax, run, scene, scene.label("momentum", "momentum"), from_zero=False)
 
 
-def _new_axes(scene: Scene) -> Axes:
-    """Make an axes under room for a legend that names the balls where they are few, and three things more."""
-    entries = 3 + (len(scene.ids) if len(scene.ids) <= MOST_NAMED else 1)
+def _new_axes(scene: Scene, more: int = 0) -> Axes:
+    """Make an axes under room for a legend that names the balls where they are few, and three things and `more`."""
+    entries = 3 + more + (len(scene.ids) if len(scene.ids) <= MOST_NAMED else 1)
     return style.new_axes(*SIZE, legend_rows=-(-entries // LEGEND_COLUMNS))
 
 
-def _potential(scene: Scene, positions: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Give the potential energy of all balls together in the field, (n_times,) float64."""
+def _lowest_potential(scene: Scene) -> float:
+    """Give the potential energy of all balls together at the lowest corner of the table's bounds."""
     corners = np.array([(x, y) for x in scene.bounds[::2] for y in scene.bounds[1::2]])
-    above: NDArray[np.float64] = (corners @ scene.field).max() - positions @ scene.field
-    return above @ scene.masses
+    return float(-(corners @ scene.field).max() * scene.masses.sum())
 
 
 def _draw_balls(ax: Axes, scene: Scene, times: NDArray[np.float64], values: NDArray[np.float64]) -> None:

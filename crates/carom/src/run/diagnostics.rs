@@ -12,7 +12,7 @@ pub struct Diagnostics {
     pub predictions: u64,
     /// Pending events dropped because the partner had meanwhile changed its course.
     pub stale: u64,
-    /// The deepest overlap ever seen, as a length.
+    /// The deepest overlap of two balls ever seen, as a length; in a stepped run at any time, within its steps too.
     pub deepest_overlap: f64,
     /// Clusters resolved.
     pub clusters: u64,

@@ -86,6 +86,7 @@ struct StepColumns {
     /// Position and velocity of each ball.
     state: Vec<Vec<[f64; 4]>>,
     hits: Vec<Vec<Option<(f64, Kind)>>>,
+    count: u64,
     lost_time: f64,
 }
 
@@ -120,7 +121,7 @@ pub fn from_json(text: &str) -> Result<(Scenario, Run<f64>), RunFileError> {
     check(&file, &system)?;
     let log = Log {
         keeps_events: file.events.is_some(),
-        keeps_flights: file.flights.is_some(),
+        keeps_flights: file.flights.is_some() || file.steps.as_ref().is_some_and(StepColumns::is_whole),
         events: file.events.unwrap_or_default().rows(),
         flights: file.flights.unwrap_or_default().rows(),
     };
@@ -201,6 +202,9 @@ fn check(file: &RunFile, system: &System<f64>) -> Result<(), RunFileError> {
     if let Some(steps) = &file.steps {
         let rows = steps.time.len();
         let is_full = |length: usize| length == balls;
+        if rows != 1 && !steps.is_whole() {
+            return fault("steps: neither as many as were made nor the last only");
+        }
         if rows == 0
             || steps.state.len() != rows
             || steps.hits.len() != rows
@@ -311,11 +315,17 @@ fn step_columns(steps: &Steps<f64>) -> StepColumns {
         time: steps.steps.iter().map(|step| step.time).collect(),
         state: steps.steps.iter().map(|step| step.balls.iter().map(state).collect()).collect(),
         hits: steps.steps.iter().map(|step| step.hits.iter().map(hit).collect()).collect(),
+        count: steps.count,
         lost_time: steps.lost_time,
     }
 }
 
 impl StepColumns {
+    /// Whether all steps were kept, and not the end only.
+    fn is_whole(&self) -> bool {
+        self.time.len() as u64 == self.count.saturating_add(1)
+    }
+
     fn steps(self) -> Steps<f64> {
         let ball =
             |[x, y, vx, vy]: [f64; 4]| State { position: Vec2::new(x, y), velocity: Vec2::new(vx, vy) };
@@ -325,6 +335,10 @@ impl StepColumns {
             balls: self.state[k].iter().copied().map(ball).collect(),
             hits: self.hits[k].iter().map(hit).collect(),
         };
-        Steps { steps: (0..self.time.len()).map(step).collect(), lost_time: self.lost_time }
+        Steps {
+            steps: (0..self.time.len()).map(step).collect(),
+            count: self.count,
+            lost_time: self.lost_time,
+        }
     }
 }

@@ -28,7 +28,7 @@ impl<S> Observer<S> for Nothing {
 pub struct Log<S> {
     /// Whether events are kept.
     pub keeps_events: bool,
-    /// Whether flights are kept.
+    /// Whether flights are kept, or the steps of a run that has steps instead.
     pub keeps_flights: bool,
     /// The events.
     pub events: Vec<Event<S>>,

@@ -65,9 +65,9 @@ pub enum QueryError {
         /// The end of the run.
         end: f64,
     },
-    /// The run did not keep its flights.
+    /// The run kept neither flights nor steps.
     #[error(
-        "the run kept no flights, so only the state at its end, {end}, is known; run with record = \"all\""
+        "the run kept no flights or steps, so only the state at its end, {end}, is known; run with record = \"all\""
     )]
     NotKept {
         /// The end of the run.
@@ -141,13 +141,22 @@ impl<S: Scalar> Run<S> {
         }
     }
 
-    /// Kinetic energy of all balls at a time.
+    /// Kinetic energy of all balls at a time; with [`Self::potential_energy`] it is the energy that diagnostics speak of.
     pub fn energy(&self, time: S) -> Result<S, QueryError> {
         let mut sum = S::ZERO;
         for (state, disc) in self.state(time)?.iter().zip(&self.system.discs) {
             sum += disc.mass * state.velocity.norm_squared();
         }
         Ok(sum * S::from_f64(0.5))
+    }
+
+    /// Potential energy of all balls in the field at a time, zero at the origin: −Σ m a·x.
+    pub fn potential_energy(&self, time: S) -> Result<S, QueryError> {
+        let mut sum = S::ZERO;
+        for (state, disc) in self.state(time)?.iter().zip(&self.system.discs) {
+            sum -= disc.mass * self.system.field.dot(state.position);
+        }
+        Ok(sum)
     }
 
     /// Momentum of all balls at a time.
@@ -175,7 +184,7 @@ impl<S: Scalar> Run<S> {
         if !is_inside || !time.is_finite() {
             return Err(QueryError::OutsideRun { time: time.to_f64(), end });
         }
-        if !self.log.keeps_flights && self.steps.is_none() && time < self.end_time {
+        if !self.log.keeps_flights && time < self.end_time {
             return Err(QueryError::NotKept { end });
         }
         Ok(())

@@ -24,11 +24,13 @@ pub struct Step<S> {
     pub hits: Vec<Option<Hit<S>>>,
 }
 
-/// All steps of a run; the last entry is its end, in which nothing happens.
+/// The steps of a run; the last entry is its end, in which nothing happens.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steps<S> {
-    /// The steps in order of time.
+    /// The steps in order of time; only the end where the run did not keep them.
     pub steps: Vec<Step<S>>,
+    /// How many steps were made.
+    pub count: u64,
     /// Time lost by balls that waited for the end of a step, summed over balls.
     pub lost_time: f64,
 }

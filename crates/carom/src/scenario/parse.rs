@@ -101,6 +101,7 @@ fn check_parts(usable: &Value, findings: &mut Findings) {
         balls: balls.iter().map(Option::as_ref).collect(),
         duration: part(usable.get("duration")),
         collisions: part(usable.get("collisions")),
+        record: part(usable.get("record")).unwrap_or_default(),
     };
     check(&draft, findings);
 }

@@ -38,7 +38,7 @@ pub struct Readings<S> {
 }
 
 /// Steps between two looks at whether a run should be broken off.
-const SLICE: usize = 4096;
+const SLICE: u64 = 4096;
 
 /// When a stepped run ends: at the first of these.
 pub struct Ends<'a, S> {
@@ -100,12 +100,12 @@ impl<S: Scalar> Scheme<S> {
             readings,
             clock: (S::ZERO, 0),
             time: S::ZERO,
-            steps: Steps { steps: Vec::new(), lost_time: 0.0 },
+            steps: Steps { steps: Vec::new(), count: 0, lost_time: 0.0 },
             log,
             diagnostics: Diagnostics::default(),
         };
         scheme.diagnostics.initial_energy = scheme.energy();
-        scheme.note_overlap();
+        scheme.note_overlap(&[], S::ZERO);
         scheme
     }
 
@@ -116,11 +116,11 @@ impl<S: Scalar> Scheme<S> {
             Some(Status::Stopped)
         } else if self.diagnostics.collisions() >= ends.collisions {
             Some(Status::CollisionLimit)
-        } else if ends.duration - self.time <= round_off || self.steps.steps.len() as u64 >= ends.steps {
+        } else if ends.duration - self.time <= round_off || self.steps.count >= ends.steps {
             Some(Status::TimeLimit)
         } else if self.diagnostics.total_events() >= ends.events {
             Some(Status::EventLimit)
-        } else if self.steps.steps.len() % SLICE == SLICE - 1 && (ends.interrupted)() {
+        } else if self.steps.count % SLICE == SLICE - 1 && (ends.interrupted)() {
             Some(Status::Interrupted)
         } else {
             None
@@ -136,7 +136,12 @@ impl<S: Scalar> Scheme<S> {
         let taken = self.choose(candidates(&self.balls, &self.system.discs, &self.walls, length));
         let restarts = self.readings.after_hit == AfterHit::Restart && !taken.is_empty();
         let length = if restarts { taken[0].after } else { length };
-        self.steps.steps.push(Step { time: self.time, balls: self.balls.clone(), hits: self.hits(&taken) });
+        self.note_overlap(&taken, length);
+        self.steps.count += 1;
+        if self.log.keeps_flights {
+            let hits = self.hits(&taken);
+            self.steps.steps.push(Step { time: self.time, balls: self.balls.clone(), hits });
+        }
         for (ball, state) in self.balls.iter_mut().enumerate() {
             if !taken.iter().any(|candidate| candidate.involves(ball)) {
                 state.position = state.position + state.velocity * length;
@@ -149,7 +154,6 @@ impl<S: Scalar> Scheme<S> {
                 lost * if matches!(candidate.contact, Contact::Balls(..)) { 2.0 } else { 1.0 };
         }
         self.advance_clock(length, restarts, is_last, duration);
-        self.note_overlap();
     }
 
     /// The candidates that happen: in order of time, each ball in one at most; only the first when the step restarts.
@@ -245,11 +249,15 @@ impl<S: Scalar> Scheme<S> {
         }
     }
 
-    fn note_overlap(&mut self) {
-        for (a, one) in self.balls.iter().enumerate() {
-            for (b, other) in self.balls.iter().enumerate().skip(a + 1) {
+    /// Notes how deep balls will be in each other at any time of a step that begins now.
+    fn note_overlap(&mut self, taken: &[Candidate<S>], length: S) {
+        let moves_for = |ball| taken.iter().find(|c| c.involves(ball)).map_or(length, |c| c.after);
+        let moving: Vec<S> = (0..self.balls.len()).map(moves_for).collect();
+        for a in 0..self.balls.len() {
+            for b in a + 1..self.balls.len() {
                 let radii = self.system.discs[a].radius + self.system.discs[b].radius;
-                let overlap = (radii - (other.position - one.position).norm()).to_f64();
+                let apart = closest_approach([self.balls[a], self.balls[b]], [moving[a], moving[b]]);
+                let overlap = (radii - apart).to_f64();
                 self.diagnostics.deepest_overlap = self.diagnostics.deepest_overlap.max(overlap);
             }
         }
@@ -282,4 +290,30 @@ impl<S: Scalar> Scheme<S> {
         run.steps = Some(self.steps);
         run
     }
+}
+
+/// The least distance of two balls of which each moves for a time of its own, and then waits.
+fn closest_approach<S: Scalar>([a, b]: [State<S>; 2], [moves_a, moves_b]: [S; 2]) -> S {
+    let (separation, relative) = (b.position - a.position, b.velocity - a.velocity);
+    let (both, more, alone) = if moves_a < moves_b {
+        (moves_a, moves_b - moves_a, b.velocity)
+    } else {
+        (moves_b, moves_a - moves_b, -a.velocity)
+    };
+    let first = closest_to_origin(separation, relative, both);
+    let second = closest_to_origin(separation + relative * both, alone, more);
+    if second < first { second } else { first }
+}
+
+/// The least distance from the origin of a point that moves in a straight line for a time.
+fn closest_to_origin<S: Scalar>(place: Vec2<S>, velocity: Vec2<S>, duration: S) -> S {
+    let (approach, speed_squared) = (-place.dot(velocity), velocity.norm_squared());
+    let time = if approach <= S::ZERO {
+        S::ZERO
+    } else if approach >= speed_squared * duration {
+        duration
+    } else {
+        approach / speed_squared
+    };
+    (place + velocity * time).norm()
 }

@@ -13,7 +13,7 @@ mod placement;
 mod stepped;
 
 use super::problem::Findings;
-use super::schema::{Ball, BallDefaults, Method, Physics, Scenario, Table};
+use super::schema::{Ball, BallDefaults, Method, Physics, Record, Scenario, Table};
 use core::fmt;
 
 /// What could be read of a scenario.
@@ -25,6 +25,7 @@ pub(crate) struct Draft<'a> {
     pub balls: Vec<Option<&'a Ball>>,
     pub duration: Option<f64>,
     pub collisions: Option<u64>,
+    pub record: Record,
 }
 
 impl<'a> Draft<'a> {
@@ -38,6 +39,7 @@ impl<'a> Draft<'a> {
             balls: scenario.balls.iter().map(Some).collect(),
             duration: scenario.duration,
             collisions: scenario.collisions,
+            record: scenario.record,
         }
     }
 

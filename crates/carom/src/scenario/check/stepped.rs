@@ -1,17 +1,21 @@
 //! What the stepped method asks of a scenario.
 
 use super::{Draft, Findings, Rounded};
-use crate::scenario::schema::{BallBall, Flight, Table};
+use crate::scenario::schema::{BallBall, Flight, Record, Table};
 
 /// Beyond this many steps the time no longer grows by a whole step.
 const MOST_STEPS: f64 = 9e15;
+
+/// As many steps, counted for each ball, may be kept: about a gigabyte of them.
+const MOST_KEPT: f64 = 1e7;
 
 /// Notes what the stepped method cannot do.
 pub(super) fn check_stepped(draft: &Draft<'_>, dt: f64, steps: Option<u64>, findings: &mut Findings) {
     for reason in reasons(draft) {
         findings.add("method.kind", format!("the stepped method {reason}; use the exact one"));
     }
-    let is_sound = ["duration", "method.steps", "method.dt"].iter().all(|key| findings.is_sound(key));
+    let is_sound =
+        ["duration", "method.steps", "method.dt", "record", "balls"].iter().all(|key| findings.is_sound(key));
     match (draft.duration, steps) {
         _ if !is_sound => {}
         (None, None) => {
@@ -21,8 +25,24 @@ pub(super) fn check_stepped(draft: &Draft<'_>, dt: f64, steps: Option<u64>, find
             findings
                 .add("method.dt", format!("is too short: {} steps to the duration", Rounded(duration / dt)));
         }
-        _ => {}
+        (duration, _) => check_memory(draft, (duration.unwrap_or_default() / dt).ceil(), steps, findings),
     }
+}
+
+/// Notes more steps than a run can keep. Hits that restart the step add some; the event budget bounds them.
+fn check_memory(draft: &Draft<'_>, to_duration: f64, steps: Option<u64>, findings: &mut Findings) {
+    let most = (MOST_KEPT / draft.balls.len().max(1) as f64).floor();
+    let count = steps.map_or(to_duration, |steps| steps as f64);
+    if draft.record != Record::All || count <= most {
+        return;
+    }
+    let place = if steps.is_some() { "method.steps" } else { "method.dt" };
+    let message = format!(
+        "makes {} steps, and a run of {} balls keeps {most} at most; with record = \"events\" or \"none\" it keeps none",
+        Rounded(count),
+        draft.balls.len()
+    );
+    findings.add(place, message);
 }
 
 fn reasons(draft: &Draft<'_>) -> Vec<&'static str> {

@@ -13,7 +13,8 @@ pub enum Method {
     Exact,
     /// The fixed-step scheme of programming courses: rectangle, elastic balls, no field, no obstacles.
     Stepped {
-        /// The time step, in time; positive.
+        /// The time step, in time; positive. A run that keeps its steps (`record = "all"`) may have 10 000 000 of them,
+        /// counted for each ball.
         #[schemars(extend("exclusiveMinimum" = 0.0))]
         dt: f64,
         /// What the other balls do in a step in which something is hit; absent: wait.

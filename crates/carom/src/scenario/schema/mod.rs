@@ -74,7 +74,7 @@ pub struct Scenario {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Record {
-    /// Events and flights, so that the state at any time can be asked for.
+    /// Events and flights (of a stepped run, its steps), so that the state at any time can be asked for.
     #[default]
     All,
     /// Events only.
