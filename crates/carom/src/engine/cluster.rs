@@ -70,7 +70,7 @@ impl<S: Scalar> Discs<S> {
         }
         self.settle_members(&moved, &members, &contacts, observer);
         for &k in &moved {
-            self.predict_anew(members[k].ball);
+            self.predict(members[k].ball);
         }
     }
 
@@ -372,7 +372,7 @@ impl<S: Scalar> Discs<S> {
         let moved: Vec<usize> = (0..members.len()).filter(moved).collect();
         for &k in &moved {
             let member = &members[k];
-            self.begin_flight::<false>(member.ball, time, member.after());
+            self.begin_flight(member.ball, self.free_flight(time, member.after()));
             self.note_contact(member.ball, time);
             self.forget_left_cushion(member.ball);
             if let Some(cushion) = cushions_of(k, contacts).next() {

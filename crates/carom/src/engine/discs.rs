@@ -105,31 +105,20 @@ impl<S: Scalar> Discs<S> {
     /// Makes the earliest event happen, if it comes no later than `limit`; gives its time.
     #[inline(always)]
     pub fn step(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
-        if self.is_plain {
-            self.step_on::<true>(limit, observer)
-        } else {
-            self.step_on::<false>(limit, observer)
-        }
-    }
-
-    #[inline(always)]
-    fn step_on<const PLAIN: bool>(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
         loop {
             let (ball, Pending { time, offset, target }) = self.queue.first();
             if time > limit || time == S::INFINITY {
                 return None;
             }
             match target {
-                Target::Cushion(cushion) => {
-                    self.strike_cushion::<PLAIN>(ball, cushion, time, offset, observer)
-                }
+                Target::Cushion(cushion) => self.strike_cushion(ball, cushion, time, offset, observer),
                 Target::Ball(other, changes) => {
                     if self.balls[other as usize].track.changes != changes {
                         self.diagnostics.stale += 1;
-                        self.predict_anew(ball);
+                        self.predict(ball);
                         continue;
                     }
-                    self.strike_ball::<PLAIN>(ball, other as usize, time, offset, observer);
+                    self.strike_ball(ball, other as usize, time, offset, observer);
                 }
                 Target::Release(cushion) => self.release(ball, cushion, time, offset, observer),
                 Target::Nothing => return None,
@@ -138,17 +127,19 @@ impl<S: Scalar> Discs<S> {
         }
     }
 
+    /// The flight from a state on, free of any cushion.
+    #[inline(always)]
+    pub(super) fn free_flight(&self, start: S, State { position, velocity }: State<S>) -> Flight<S> {
+        Flight { start, position, velocity, acceleration: self.system.field }
+    }
+
     /// Starts a ball's new flight, free of any cushion that held it.
     #[inline(always)]
-    pub(super) fn begin_flight<const PLAIN: bool>(&mut self, ball: usize, time: S, state: State<S>) {
+    pub(super) fn begin_flight(&mut self, ball: usize, flight: Flight<S>) {
         let ball = &mut self.balls[ball];
-        (ball.flight.start, ball.flight.position, ball.flight.velocity) =
-            (time, state.position, state.velocity);
+        ball.flight = flight;
         ball.track.changes += 1;
-        if !PLAIN {
-            ball.flight.acceleration = self.system.field;
-            ball.track.held_by = [None; 2];
-        }
+        ball.track.held_by = [None; 2];
     }
 
     /// Notes that a ball had an event, which for a ball whose events follow each other too fast is a fault.

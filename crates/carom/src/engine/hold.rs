@@ -1,7 +1,7 @@
 //! A ball in a field that comes to lie on straight cushions, slides along them, and leaves them.
 
 use super::discs::Discs;
-use crate::flight::{Flight, State};
+use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::model::{Face, Line, closing_threshold};
 use crate::run::{Event, Kind, Observer};
@@ -131,18 +131,18 @@ impl<S: Scalar> Discs<S> {
         observer: &mut impl Observer<S>,
     ) {
         let flight = self.balls[ball].flight;
-        let State { position, velocity } = flight.state_after(offset);
-        let (normal, _) = self.system.faces.all[cushion as usize].normal_at(position);
-        self.begin_flight::<false>(ball, time, State { position, velocity });
+        let state = flight.state_after(offset);
+        let (normal, _) = self.system.faces.all[cushion as usize].normal_at(state.position);
+        self.begin_flight(ball, self.free_flight(time, state));
         self.note_contact(ball, time);
-        self.predict_anew(ball);
+        self.predict(ball);
         let event = Event {
             time,
             kind: Kind::Release,
             ball_a: ball as u32,
             ball_b: None,
             cushion: Some(cushion),
-            point: self.system.faces.all[cushion as usize].foot(position),
+            point: self.system.faces.all[cushion as usize].foot(state.position),
             normal,
             closing_speed: S::ZERO,
             impulse: S::ZERO,

@@ -1,11 +1,12 @@
 //! Prediction: a ball's next event, from the flights as they are.
 
-use super::discs::{Ball, Discs};
+use super::discs::Discs;
 use super::queue::{Pending, Target};
 use crate::detect::{
     Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_ball_in_the_clear,
     detect_cushion_in_the_clear, detect_from_behind, detect_release,
 };
+use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::model::Face;
 use crate::scalar::Scalar;
@@ -23,37 +24,40 @@ impl<S: Scalar> Discs<S> {
     /// Predicts every ball's next event from the flights as they are.
     pub(super) fn predict_all(&mut self) {
         for ball in 0..self.balls.len() {
-            self.predict_anew(ball);
+            self.predict(ball);
         }
     }
 
     /// Finds a ball's next event when nothing has just happened to it.
-    #[inline(never)]
-    pub(super) fn predict_anew(&mut self, ball: usize) {
-        if self.is_plain {
-            self.predict::<true>(ball, Target::Nothing);
-        } else {
-            self.predict::<false>(ball, Target::Nothing);
+    pub(super) fn predict(&mut self, ball: usize) {
+        let flight = self.balls[ball].flight;
+        match self.next_in_the_clear(ball, &flight, Target::Nothing) {
+            Some(next) => self.schedule(ball, next),
+            None => {
+                self.predict_near(ball, Target::Nothing);
+            }
         }
     }
 
-    /// Finds a ball's next event, and says whether it touches anything but `struck`, which it has just been in contact with.
     #[inline(always)]
-    pub(super) fn predict<const PLAIN: bool>(&mut self, ball: usize, struck: Target) -> bool {
+    pub(super) fn schedule(&mut self, ball: usize, next: Pending<S>) {
         self.diagnostics.predictions += 1;
-        if PLAIN && let Some(next) = self.next_in_the_clear(ball, struck) {
-            self.queue.set(ball, next);
-            return false;
-        }
-        self.predict_near(ball, struck)
+        self.queue.set(ball, next);
     }
 
-    /// A ball's next event where every flight is straight, no cushion hides it, and nothing but `struck` is in touch;
-    /// `None` otherwise. The answer is that of [`Self::predict_near`], but quicker.
+    /// A ball's next event on a flight where every flight is straight, no cushion hides it, and nothing but `struck` is in
+    /// touch; `None` otherwise. The answer is that of [`Self::predict_near`], but quicker.
     #[inline(always)]
-    fn next_in_the_clear(&self, ball: usize, struck: Target) -> Option<Pending<S>> {
-        let system = &*self.system;
-        let Ball { flight, disc, .. } = &self.balls[ball];
+    pub(super) fn next_in_the_clear(
+        &self,
+        ball: usize,
+        flight: &Flight<S>,
+        struck: Target,
+    ) -> Option<Pending<S>> {
+        if !self.is_plain {
+            return None;
+        }
+        let (system, disc) = (&*self.system, &self.balls[ball].disc);
         let (struck_ball, struck_cushion) = match struck {
             Target::Ball(other, _) => (other as usize, usize::MAX),
             Target::Cushion(cushion) => (usize::MAX, cushion as usize),
@@ -62,7 +66,8 @@ impl<S: Scalar> Discs<S> {
         let tolerance = system.tolerance.of(disc.radius);
         let (cushion, offset) =
             detect_cushion_in_the_clear(flight, disc.radius, &system.faces, tolerance, struck_cushion)?;
-        let mut next = Pending::NEVER.earlier(flight.start, Some(offset), Target::Cushion(cushion as u32));
+        let target = if offset < S::INFINITY { Target::Cushion(cushion as u32) } else { Target::Nothing };
+        let mut next = Pending { time: flight.start + offset, offset, target };
         for other in 0..self.balls.len() {
             if other == ball || other == struck_ball {
                 continue;
@@ -79,14 +84,15 @@ impl<S: Scalar> Discs<S> {
         Some(next)
     }
 
-    /// The same in a field, between thin walls, or with something in touch.
+    /// Finds a ball's next event, in a field, between thin walls, or with something in touch; says whether anything is but
+    /// `struck`, which it has just been in contact with.
     #[inline(never)]
-    fn predict_near(&mut self, ball: usize, struck: Target) -> bool {
+    pub(super) fn predict_near(&mut self, ball: usize, struck: Target) -> bool {
         let mut seen = Surroundings::CLEAR;
         let next = self.next_cushion(ball, struck, &mut seen);
         let next = self.next_ball(ball, struck, next, &mut seen);
         let next = if self.balls[ball].track.is_held() { self.earlier_release(ball, next) } else { next };
-        self.queue.set(ball, next);
+        self.schedule(ball, next);
         if seen.overlap > S::ZERO {
             self.note_overlap(ball, seen.overlap, seen.broken);
         }
@@ -200,7 +206,7 @@ impl<S: Scalar> Discs<S> {
             match target {
                 Target::Ball(other, changes) if self.balls[other as usize].track.changes != changes => {
                     self.diagnostics.stale += 1;
-                    self.predict_anew(ball);
+                    self.predict(ball);
                 }
                 _ => return time,
             }
@@ -214,7 +220,7 @@ impl<S: Scalar> Discs<S> {
                 if self.balls[other as usize].track.changes == changes {
                     break;
                 }
-                self.predict_anew(ball);
+                self.predict(ball);
             }
         }
     }

@@ -1,24 +1,51 @@
 //! A contact of two: a ball with a cushion, or with another ball.
 //!
-//! The two get their new velocities and predictions first. Only if these find a third thing in touch is the contact
-//! undone and the whole cluster resolved instead.
+//! Most contacts happen in the clear: the new flights touch nothing else, which their prediction finds out before anything
+//! is changed. Otherwise the contact is made first, with all that fields and thin walls ask for; if the new predictions
+//! then find a third thing in touch, it is undone and the whole cluster resolved instead.
 
 use super::cluster::Struck;
-use super::discs::Discs;
+use super::discs::{Ball, Discs};
 use super::queue::Target;
 use crate::detect::cushion_gap;
 use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::ball_ball::Pair;
 use crate::law::ball_cushion::Rebound;
-use crate::model::closing_threshold;
+use crate::model::{Disc, closing_threshold};
 use crate::run::{Event, Kind, Observer};
 use crate::scalar::Scalar;
 
+/// A ball at a cushion, and what the cushion's law makes of it.
+struct Bounce<S> {
+    ball: usize,
+    cushion: u32,
+    time: S,
+    mass: S,
+    before: State<S>,
+    point: Vec2<S>,
+    normal: Vec2<S>,
+    normal_scale: S,
+    rebound: Rebound<S>,
+}
+
+/// Two balls in touch, and what their law makes of them.
+struct Collision<S> {
+    balls: [usize; 2],
+    time: S,
+    /// The later start of their flights.
+    start: S,
+    discs: [Disc<S>; 2],
+    before: [State<S>; 2],
+    pair: Pair<S>,
+    impulse: S,
+    energy_loss: S,
+}
+
 impl<S: Scalar> Discs<S> {
     /// A ball meets a cushion.
-    #[inline]
-    pub(super) fn strike_cushion<const PLAIN: bool>(
+    #[inline(always)]
+    pub(super) fn strike_cushion(
         &mut self,
         ball: usize,
         cushion: u32,
@@ -26,54 +53,80 @@ impl<S: Scalar> Discs<S> {
         offset: S,
         observer: &mut impl Observer<S>,
     ) {
-        let flight = self.balls[ball].flight;
-        let State { position, velocity } = flight.state_after(offset);
-        let disc = self.balls[ball].disc;
-        let (normal, scale) = self.system.faces.all[cushion as usize].normal_at(position);
-        let mut rebound = self.cushion_law(ball, cushion, time).rebound(velocity, normal, scale);
+        let bounce = self.bounce(ball, cushion, time, offset);
+        let flight = self.free_flight(time, bounce.after());
+        if let Some(next) = self.next_in_the_clear(ball, &flight, Target::Cushion(cushion)) {
+            self.begin_flight(ball, flight);
+            self.schedule(ball, next);
+            self.note_bounce(&bounce);
+            self.emit(&bounce.event(), observer);
+            observer.flight(ball, &flight);
+        } else {
+            self.strike_cushion_near(ball, cushion, time, offset, observer);
+        }
+    }
+
+    #[inline(always)]
+    fn state_after(&self, flight: &Flight<S>, elapsed: S) -> State<S> {
+        if self.is_plain { flight.straight_state_after(elapsed) } else { flight.state_after(elapsed) }
+    }
+
+    #[inline(always)]
+    fn bounce(&self, ball: usize, cushion: u32, time: S, offset: S) -> Bounce<S> {
+        let before = self.state_after(&self.balls[ball].flight, offset);
+        let face = &self.system.faces.all[cushion as usize];
+        let (normal, normal_scale) = face.normal_at(before.position);
+        let rebound = self.cushion_law(ball, cushion, time).rebound(before.velocity, normal, normal_scale);
+        let (mass, point) = (self.balls[ball].disc.mass, face.foot(before.position));
+        Bounce { ball, cushion, time, mass, before, point, normal, normal_scale, rebound }
+    }
+
+    /// The same in a field, between thin walls, or with something else in touch.
+    #[inline(never)]
+    fn strike_cushion_near(
+        &mut self,
+        ball: usize,
+        cushion: u32,
+        time: S,
+        offset: S,
+        observer: &mut impl Observer<S>,
+    ) {
+        let mut bounce = self.bounce(ball, cushion, time, offset);
+        let before = bounce.before;
         // A ball pulled onto a cushion may meet it without closing; such a contact does nothing.
-        let closes =
-            PLAIN || !self.has_field || -rebound.normal_velocity > closing_threshold(velocity, Vec2::ZERO);
+        let closing_speed = -bounce.rebound.normal_velocity;
+        let closes = !self.has_field || closing_speed > closing_threshold(before.velocity, Vec2::ZERO);
         if !closes {
-            rebound = Rebound { velocity, energy_loss: S::ZERO, ..rebound };
+            bounce.rebound = Rebound { velocity: before.velocity, energy_loss: S::ZERO, ..bounce.rebound };
         }
-        let held_by = if PLAIN { [None; 2] } else { self.balls[ball].track.held_by };
-        self.begin_flight::<PLAIN>(ball, time, State { position, velocity: rebound.velocity });
-        if !PLAIN {
-            self.balls[ball].track.last_cushion = Some(cushion);
-            self.note_arrival(ball, offset, velocity);
-        }
-        if self.predict::<PLAIN>(ball, Target::Cushion(cushion)) || held_by[0].is_some() {
+        let (flight, held_by) = (self.balls[ball].flight, self.balls[ball].track.held_by);
+        self.begin_flight(ball, self.free_flight(time, bounce.after()));
+        self.balls[ball].track.last_cushion = Some(cushion);
+        self.note_arrival(ball, offset, before.velocity);
+        if self.predict_near(ball, Target::Cushion(cushion)) || held_by[0].is_some() {
             self.strike_cluster(&[Struck { ball, flight, held_by, elapsed: offset }], time, observer);
             return;
         }
-        self.note_contact(ball, time);
-        let half_mass = S::from_f64(0.5) * disc.mass;
-        let change = half_mass * (rebound.velocity.norm_squared() - velocity.norm_squared());
-        self.diagnostics.account(change.to_f64(), (disc.mass * rebound.energy_loss).to_f64());
-        let event = Event {
-            time,
-            kind: Kind::BallCushion,
-            ball_a: ball as u32,
-            ball_b: None,
-            cushion: Some(cushion),
-            point: self.system.faces.all[cushion as usize].foot(position),
-            normal,
-            closing_speed: -rebound.normal_velocity,
-            impulse: (rebound.velocity - velocity).dot(normal) * scale * disc.mass,
-            cluster: None,
-        };
+        self.note_bounce(&bounce);
         if closes {
-            self.emit(&event, observer);
+            self.emit(&bounce.event(), observer);
         }
-        if !PLAIN && self.settle(ball, &[cushion], held_by, observer) {
-            self.predict::<PLAIN>(ball, Target::Cushion(cushion));
+        if self.settle(ball, &[cushion], held_by, observer) {
+            self.predict_near(ball, Target::Cushion(cushion));
         }
         observer.flight(ball, &self.balls[ball].flight);
     }
 
+    #[inline(always)]
+    fn note_bounce(&mut self, bounce: &Bounce<S>) {
+        self.note_contact(bounce.ball, bounce.time);
+        let (after, before) = (bounce.rebound.velocity, bounce.before.velocity);
+        let change = S::from_f64(0.5) * bounce.mass * (after.norm_squared() - before.norm_squared());
+        self.diagnostics.account(change.to_f64(), (bounce.mass * bounce.rebound.energy_loss).to_f64());
+    }
+
     /// Two balls meet.
-    pub(super) fn strike_ball<const PLAIN: bool>(
+    pub(super) fn strike_ball(
         &mut self,
         ball: usize,
         other: usize,
@@ -81,60 +134,92 @@ impl<S: Scalar> Discs<S> {
         offset: S,
         observer: &mut impl Observer<S>,
     ) {
-        let (a, b) = if ball < other { (ball, other) } else { (other, ball) };
-        let flights = [self.balls[a].flight, self.balls[b].flight];
-        let start = if flights[0].start > flights[1].start { flights[0].start } else { flights[1].start };
-        let [before_a, before_b] = flights.map(|f| state_after(&f, start, offset));
-        let (position_a, velocity_a) = (before_a.position, before_a.velocity);
-        let (position_b, velocity_b) = (before_b.position, before_b.velocity);
-        let discs = [self.balls[a].disc, self.balls[b].disc];
-        let separation = position_b - position_a;
-        self.audit_distance(a, separation.norm(), discs[0].radius + discs[1].radius);
-        let pair = Pair::new([&discs[0], &discs[1]], separation, [velocity_a, velocity_b]);
-        let law = self.ball_law(a, b, time);
-        let impulse = law.impulse(&pair);
-        let after_a = velocity_a - pair.normal * (impulse * discs[0].inverse_mass);
-        let after_b = velocity_b + pair.normal * (impulse * discs[1].inverse_mass);
-        let held_by = if PLAIN { [[None; 2]; 2] } else { [a, b].map(|ball| self.balls[ball].track.held_by) };
-        self.begin_flight::<PLAIN>(a, time, State { position: position_a, velocity: after_a });
-        self.begin_flight::<PLAIN>(b, time, State { position: position_b, velocity: after_b });
-        if !PLAIN {
-            self.forget_left_cushion(a);
-            self.forget_left_cushion(b);
+        let [a, b] = if ball < other { [ball, other] } else { [other, ball] };
+        let collision = self.collision([a, b], time, offset);
+        let [flight_a, flight_b] = collision.after().map(|state| self.free_flight(time, state));
+        let next_a = self.next_in_the_clear(a, &flight_a, Target::Ball(b as u32, 0));
+        let next_b = self.next_in_the_clear(b, &flight_b, Target::Ball(a as u32, 0));
+        if let (Some(next_a), Some(next_b)) = (next_a, next_b) {
+            for (ball, flight, next) in [(a, flight_a, next_a), (b, flight_b, next_b)] {
+                self.begin_flight(ball, flight);
+                self.schedule(ball, next);
+            }
+            self.note_collision(&collision);
+            self.emit(&collision.event(), observer);
+            observer.flight(a, &flight_a);
+            observer.flight(b, &flight_b);
+        } else {
+            self.strike_ball_near([a, b], time, offset, observer);
         }
-        let touching_a = self.predict::<PLAIN>(a, Target::Ball(b as u32, 0));
-        let touching_b = self.predict::<PLAIN>(b, Target::Ball(a as u32, 0));
+    }
+
+    #[inline(always)]
+    fn collision(&self, balls: [usize; 2], time: S, offset: S) -> Collision<S> {
+        let [a, b] = balls.map(|ball| &self.balls[ball]);
+        let start = if a.flight.start > b.flight.start { a.flight.start } else { b.flight.start };
+        let before = [a, b].map(|Ball { flight, .. }| {
+            let State { position, velocity } = self.state_after(flight, start - flight.start);
+            self.state_after(&Flight { position, velocity, ..*flight }, offset)
+        });
+        let separation = before[1].position - before[0].position;
+        let pair = Pair::new([&a.disc, &b.disc], separation, before.map(|state| state.velocity));
+        let law = self.ball_law(balls[0], balls[1], time);
+        Collision {
+            balls,
+            time,
+            start,
+            discs: [a.disc, b.disc],
+            before,
+            impulse: law.impulse(&pair),
+            energy_loss: law.energy_loss(&pair),
+            pair,
+        }
+    }
+
+    /// The same in a field, between thin walls, or with something else in touch.
+    #[inline(never)]
+    fn strike_ball_near(&mut self, [a, b]: [usize; 2], time: S, offset: S, observer: &mut impl Observer<S>) {
+        let collision = self.collision([a, b], time, offset);
+        let flights_before = [a, b].map(|ball| self.balls[ball].flight);
+        let held_by = [a, b].map(|ball| self.balls[ball].track.held_by);
+        for (ball, state) in [a, b].into_iter().zip(collision.after()) {
+            self.begin_flight(ball, self.free_flight(time, state));
+            self.forget_left_cushion(ball);
+        }
+        let touching_a = self.predict_near(a, Target::Ball(b as u32, 0));
+        let touching_b = self.predict_near(b, Target::Ball(a as u32, 0));
         if touching_a || touching_b || held_by[0][0].is_some() || held_by[1][0].is_some() {
             let struck = |k: usize, ball| {
-                let (flight, held_by) = (flights[k], held_by[k]);
-                Struck { ball, flight, held_by, elapsed: start - flight.start + offset }
+                let (flight, held_by) = (flights_before[k], held_by[k]);
+                Struck { ball, flight, held_by, elapsed: collision.start - flight.start + offset }
             };
             self.strike_cluster(&[struck(0, a), struck(1, b)], time, observer);
             return;
         }
-        self.note_contact(a, time);
-        self.note_contact(b, time);
-        self.account_pair(
-            &discs.map(|d| d.mass),
-            [velocity_a, velocity_b],
-            [after_a, after_b],
-            law.energy_loss(&pair),
-        );
-        let event = Event {
-            time,
-            kind: Kind::BallBall,
-            ball_a: a as u32,
-            ball_b: Some(b as u32),
-            cushion: None,
-            point: position_a + pair.normal * discs[0].radius,
-            normal: pair.normal,
-            closing_speed: pair.closing_speed,
-            impulse,
-            cluster: None,
-        };
-        self.emit(&event, observer);
+        self.note_collision(&collision);
+        self.emit(&collision.event(), observer);
         observer.flight(a, &self.balls[a].flight);
         observer.flight(b, &self.balls[b].flight);
+    }
+
+    #[inline(always)]
+    fn note_collision(&mut self, collision: &Collision<S>) {
+        let [a, b] = collision.balls;
+        self.note_contact(a, collision.time);
+        self.note_contact(b, collision.time);
+        let [disc_a, disc_b] = &collision.discs;
+        self.audit_distance(a, collision.pair.distance, disc_a.radius + disc_b.radius);
+        let mut change = S::ZERO;
+        let mut momentum = Vec2::ZERO;
+        for (k, after) in collision.after().into_iter().enumerate() {
+            let (before, after, mass) =
+                (collision.before[k].velocity, after.velocity, collision.discs[k].mass);
+            change += mass * (after.norm_squared() - before.norm_squared());
+            momentum = momentum + (after - before) * mass;
+        }
+        let error = momentum.x.abs() + momentum.y.abs();
+        self.diagnostics.account((change * S::from_f64(0.5)).to_f64(), collision.energy_loss.to_f64());
+        self.diagnostics.momentum_error = self.diagnostics.momentum_error.max(error.to_f64());
     }
 
     /// Notes the velocity with which a ball came to a place, unless it has been there since its last contact.
@@ -164,23 +249,55 @@ impl<S: Scalar> Discs<S> {
             }
         }
     }
+}
 
-    fn account_pair(&mut self, masses: &[S; 2], before: [Vec2<S>; 2], after: [Vec2<S>; 2], loss: S) {
-        let mut change = S::ZERO;
-        let mut momentum = Vec2::ZERO;
-        for k in 0..2 {
-            change += masses[k] * (after[k].norm_squared() - before[k].norm_squared());
-            momentum = momentum + (after[k] - before[k]) * masses[k];
+impl<S: Scalar> Bounce<S> {
+    #[inline(always)]
+    fn after(&self) -> State<S> {
+        State { position: self.before.position, velocity: self.rebound.velocity }
+    }
+
+    #[inline(always)]
+    fn event(&self) -> Event<S> {
+        let change = self.rebound.velocity - self.before.velocity;
+        Event {
+            time: self.time,
+            kind: Kind::BallCushion,
+            ball_a: self.ball as u32,
+            ball_b: None,
+            cushion: Some(self.cushion),
+            point: self.point,
+            normal: self.normal,
+            closing_speed: -self.rebound.normal_velocity,
+            impulse: change.dot(self.normal) * self.normal_scale * self.mass,
+            cluster: None,
         }
-        self.diagnostics.account((change * S::from_f64(0.5)).to_f64(), loss.to_f64());
-        let error = momentum.x.abs() + momentum.y.abs();
-        self.diagnostics.momentum_error = self.diagnostics.momentum_error.max(error.to_f64());
     }
 }
 
-/// Position and velocity an `offset` after `start`, which is not before the flight's own start.
-#[inline(always)]
-fn state_after<S: Scalar>(flight: &Flight<S>, start: S, offset: S) -> State<S> {
-    let State { position, velocity } = flight.state_after(start - flight.start);
-    Flight { start, position, velocity, acceleration: flight.acceleration }.state_after(offset)
+impl<S: Scalar> Collision<S> {
+    #[inline(always)]
+    fn after(&self) -> [State<S>; 2] {
+        let [a, b] = self.discs.map(|disc| self.pair.normal * (self.impulse * disc.inverse_mass));
+        let state =
+            |State { position, velocity }: State<S>, change| State { position, velocity: velocity + change };
+        [state(self.before[0], -a), state(self.before[1], b)]
+    }
+
+    #[inline(always)]
+    fn event(&self) -> Event<S> {
+        let [a, b] = self.balls;
+        Event {
+            time: self.time,
+            kind: Kind::BallBall,
+            ball_a: a as u32,
+            ball_b: Some(b as u32),
+            cushion: None,
+            point: self.before[0].position + self.pair.normal * self.discs[0].radius,
+            normal: self.pair.normal,
+            closing_speed: self.pair.closing_speed,
+            impulse: self.impulse,
+            cluster: None,
+        }
+    }
 }

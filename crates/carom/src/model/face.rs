@@ -46,6 +46,8 @@ pub struct Faces<S> {
     pub all: Vec<Face<S>>,
     /// The rectangle whose walls the first four faces are: bottom, right, top, left.
     pub room: Option<Room<S>>,
+    /// Whether these walls are all there is.
+    pub is_room: bool,
 }
 
 /// A rectangle along the axes.
@@ -61,11 +63,10 @@ impl<S: Scalar> Faces<S> {
     /// The faces, searched for a room.
     pub fn new(all: Vec<Face<S>>) -> Self {
         let room = Room::of(&all);
-        Self { all, room }
+        Self { is_room: room.is_some() && all.len() == 4, all, room }
     }
 
     /// The faces that are not walls of the room.
-    #[inline(always)]
     pub fn others(&self) -> &[Face<S>] {
         let walls = if self.room.is_some() { 4 } else { 0 };
         self.all.get(walls..).unwrap_or_default()

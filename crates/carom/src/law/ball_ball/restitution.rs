@@ -19,6 +19,8 @@ pub struct Restitution<S> {
 /// The contact of two discs.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<S> {
+    /// Distance of the centres.
+    pub distance: S,
     /// Unit vector from the first ball to the second.
     pub normal: Vec2<S>,
     /// Speed at which the gap closes.
@@ -46,9 +48,10 @@ impl<S: Scalar> Restitution<S> {
 impl<S: Scalar> Pair<S> {
     /// The contact of two discs whose centres are `separation` apart (from the first to the second).
     pub fn new(discs: [&Disc<S>; 2], separation: Vec2<S>, velocities: [Vec2<S>; 2]) -> Self {
-        let normal = separation.unit();
+        let distance = separation.norm();
+        let normal = Vec2::new(separation.x / distance, separation.y / distance);
         let closing_speed = (velocities[0] - velocities[1]).dot(normal);
         let reduced_mass = S::ONE / (discs[0].inverse_mass + discs[1].inverse_mass);
-        Self { normal, closing_speed, reduced_mass }
+        Self { distance, normal, closing_speed, reduced_mass }
     }
 }
