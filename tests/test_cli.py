@@ -232,6 +232,15 @@ def test_wrong_usage_exits_with_2(words: tuple[str, ...]) -> None:
     assert shell(*words).code == 2
 
 
+def test_what_is_no_scenario_is_named_in_one_line(tmp_path: Path, run: carom.Run) -> None:
+    run.save(tmp_path / "run.json")
+    assert shell("run", tmp_path / "run.json").stderr == (
+        f"error: {tmp_path / 'run.json'}: a saved run, not a scenario; load_run and verify take it\n"
+    )
+    assert shell("run", f"{tmp_path}/").stderr == f"error: {tmp_path}: a folder, not a scenario file\n"
+    assert shell("run", "nofile.toml").stderr == "error: nofile.toml: no such file\n"
+
+
 def test_files_and_folders_that_cannot_be_are_reported(tmp_path: Path) -> None:
     (tmp_path / "bytes.json").write_bytes(b"\xff\xfe")
     assert shell("verify", tmp_path / "bytes.json").stderr.startswith("error: not a text")
@@ -266,6 +275,33 @@ def test_an_interrupted_run_leaves_nothing_and_exits_with_130(tmp_path: Path) ->
     assert said.startswith("interrupted")
     assert len(said.splitlines()) == 1
     assert not names_in(tmp_path)
+
+
+def test_an_interruption_that_the_parser_turned_into_an_exit_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(prog_name: str) -> None:
+        raise SystemExit(130)
+
+    monkeypatch.setattr("carom.cli.app.app", interrupted)
+    done = shell("run", "midterm")
+    assert (done.code, done.stderr) == (130, "interrupted: nothing is half written\n")
+
+
+def test_an_interruption_where_python_drops_exceptions_still_interrupts(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Finalized:
+        def __del__(self) -> None:
+            raise KeyboardInterrupt
+
+    def interrupted_in_a_finalizer(prog_name: str) -> None:
+        Finalized()
+        time.sleep(60.0)
+
+    monkeypatch.setattr("carom.cli.app.app", interrupted_in_a_finalizer)
+    hook = sys.unraisablehook
+    started = time.monotonic()
+    done = shell("run", "midterm")
+    assert time.monotonic() - started < 30.0
+    assert (done.code, done.stderr) == (130, "interrupted: nothing is half written\n")
+    assert sys.unraisablehook is hook
 
 
 # The other commands

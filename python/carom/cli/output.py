@@ -10,9 +10,9 @@ from typing import Any
 
 import typer
 
+from carom.cli import INTERRUPTED
 from carom.errors import CaromError, ScenarioError
 
-INTERRUPTED = 130
 PROBLEM = 1
 
 
@@ -37,18 +37,12 @@ def reporting() -> Iterator[None]:
         say_error(str(error.filename or ""), error.strerror or str(error))
         raise typer.Exit(PROBLEM) from None
     except KeyboardInterrupt:
-        raise typer.Exit(say_interrupted()) from None
+        raise typer.Exit(INTERRUPTED) from None
 
 
 def say_error(place: str, message: str) -> None:
     """Print one problem on stderr."""
     print(": ".join(filter(None, ("error", place, message))), file=sys.stderr)
-
-
-def say_interrupted() -> int:
-    """Say on stderr that the command was interrupted, and give the exit code for it."""
-    print("interrupted: nothing was written", file=sys.stderr)
-    return INTERRUPTED
 
 
 def print_json(value: Any) -> None:
