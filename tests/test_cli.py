@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -78,6 +79,22 @@ def test_run_prints_events_and_diagnostics_and_writes_nothing(
     assert facts["status"] == "time_limit"
     assert facts["digest"] == run.digest
     assert not names_in(tmp_path)
+
+
+def test_a_terminal_of_80_columns_shows_whole_words_and_numbers(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    monkeypatch.setenv("COLUMNS", "80")
+    out = Terminal()
+    monkeypatch.setattr(sys, "argv", ["carom", "run", "midterm"])
+    with redirect_stdout(out), pytest.raises(SystemExit):
+        main()
+    printed = re.sub(ESCAPE + r"\[[0-9;]*m", "", out.getvalue())
+    assert max(map(len, printed.splitlines())) <= 80
+    assert "\N{HORIZONTAL ELLIPSIS}" not in printed
+    assert printed.count("  ball_cushion ") == 11
 
 
 def test_piped_output_has_no_colours(tmp_path: Path) -> None:
