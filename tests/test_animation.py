@@ -134,8 +134,11 @@ def test_an_interrupted_film_leaves_nothing(run: carom.Run, tmp_path: Path, monk
 
 
 def test_a_progress_bar_shows_where_it_is_asked_for(
-    run: carom.Run, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    run: carom.Run, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    # The bar is fitted to the terminal that the environment speaks of: none on a dumb one, cut short on a narrow one.
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("COLUMNS", "80")
     animate(run, tmp_path / "film.gif", fps=2, size=80)
     assert capsys.readouterr().err == ""
     animate(run, tmp_path / "film.gif", fps=2, size=80, progress=True)

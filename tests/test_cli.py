@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -78,6 +79,22 @@ def test_run_prints_events_and_diagnostics_and_writes_nothing(
     assert facts["status"] == "time_limit"
     assert facts["digest"] == run.digest
     assert not names_in(tmp_path)
+
+
+def test_a_terminal_of_80_columns_shows_whole_words_and_numbers(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    monkeypatch.setenv("COLUMNS", "80")
+    out = Terminal()
+    monkeypatch.setattr(sys, "argv", ["carom", "run", "midterm"])
+    with redirect_stdout(out), pytest.raises(SystemExit):
+        main()
+    printed = re.sub(ESCAPE + r"\[[0-9;]*m", "", out.getvalue())
+    assert max(map(len, printed.splitlines())) <= 80
+    assert "\N{HORIZONTAL ELLIPSIS}" not in printed
+    assert printed.count("  ball_cushion ") == 11
 
 
 def test_piped_output_has_no_colours(tmp_path: Path) -> None:
@@ -232,6 +249,15 @@ def test_wrong_usage_exits_with_2(words: tuple[str, ...]) -> None:
     assert shell(*words).code == 2
 
 
+def test_what_is_no_scenario_is_named_in_one_line(tmp_path: Path, run: carom.Run) -> None:
+    run.save(tmp_path / "run.json")
+    assert shell("run", tmp_path / "run.json").stderr == (
+        f"error: {tmp_path / 'run.json'}: a saved run, not a scenario; load_run and verify take it\n"
+    )
+    assert shell("run", f"{tmp_path}/").stderr == f"error: {tmp_path}: a folder, not a scenario file\n"
+    assert shell("run", "nofile.toml").stderr == "error: nofile.toml: no such file\n"
+
+
 def test_files_and_folders_that_cannot_be_are_reported(tmp_path: Path) -> None:
     (tmp_path / "bytes.json").write_bytes(b"\xff\xfe")
     assert shell("verify", tmp_path / "bytes.json").stderr.startswith("error: not a text")
@@ -266,6 +292,33 @@ def test_an_interrupted_run_leaves_nothing_and_exits_with_130(tmp_path: Path) ->
     assert said.startswith("interrupted")
     assert len(said.splitlines()) == 1
     assert not names_in(tmp_path)
+
+
+def test_an_interruption_that_the_parser_turned_into_an_exit_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(prog_name: str) -> None:
+        raise SystemExit(130)
+
+    monkeypatch.setattr("carom.cli.app.app", interrupted)
+    done = shell("run", "midterm")
+    assert (done.code, done.stderr) == (130, "interrupted: nothing is half written\n")
+
+
+def test_an_interruption_where_python_drops_exceptions_still_interrupts(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Finalized:
+        def __del__(self) -> None:
+            raise KeyboardInterrupt
+
+    def interrupted_in_a_finalizer(prog_name: str) -> None:
+        Finalized()
+        time.sleep(60.0)
+
+    monkeypatch.setattr("carom.cli.app.app", interrupted_in_a_finalizer)
+    hook = sys.unraisablehook
+    started = time.monotonic()
+    done = shell("run", "midterm")
+    assert time.monotonic() - started < 30.0
+    assert (done.code, done.stderr) == (130, "interrupted: nothing is half written\n")
+    assert sys.unraisablehook is hook
 
 
 # The other commands

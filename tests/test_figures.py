@@ -147,6 +147,23 @@ def test_the_contact_frame_has_a_normal_and_a_tangent(run: carom.Run) -> None:
     assert all(not ax.texts for ax in run.filmstrip(contact_axes=False))
 
 
+@pytest.mark.parametrize("name", ["midterm", "tilted", "stadium", "triangle_break", "counting_pi"])
+def test_the_names_of_normal_and_tangent_lie_on_the_cloth_beside_the_discs(name: str) -> None:
+    run = carom.load(name).run(collisions=40)
+    axes = run.filmstrip()
+    renderer = FigureCanvasAgg(drawn(axes)).get_renderer()
+    inside = table_contains(Scene.of(run.scenario))
+    discs = [disc.get_window_extent(renderer) for disc in discs_of(axes[1])]
+    for text in axes[1].texts:
+        assert inside(np.array([text.get_position()]))
+        x, y = axes[1].transData.transform(text.get_position())
+        assert not any(disc.contains(x, y) for disc in discs)
+
+
+def test_no_arrow_is_cut_off(run: carom.Run) -> None:
+    assert not any(arrow.get_clip_on() for ax in run.filmstrip() for arrow in arrows_of(ax))
+
+
 def test_a_filmstrip_can_show_any_event_of_any_table(run: carom.Run, stadium: carom.Run) -> None:
     for shown in (run, stadium):
         for event in shown.events:
@@ -209,6 +226,12 @@ def test_numbers_cover_neither_each_other_nor_the_marks(run: carom.Run) -> None:
     assert not any(box.contains(*mark) for box in boxes for mark in marks)
 
 
+def test_the_legend_of_paths_names_what_there_is(run: carom.Run, stadium: carom.Run) -> None:
+    for shown, words in ((run, ["start", "end", "ball-ball", "cushion"]), (stadium, ["start", "end", "cushion"])):
+        (legend,) = figures.figure_of(shown.plot_paths()).legends
+        assert [text.get_text() for text in legend.get_texts()] == words
+
+
 def test_many_events_are_not_numbered(run: carom.Run) -> None:
     assert not run.resume(duration=60.0).plot_paths().texts
     assert not run.plot_paths(numbers=False).texts
@@ -254,6 +277,27 @@ def test_every_event_has_a_tick_by_its_kind(run: carom.Run, draw: "type[figures.
     ticks = {str(each.get_label()): len(each.get_paths()) for each in ax.collections}
     kinds = run.events["kind"].tolist()
     assert ticks == {"cushion": kinds.count("ball_cushion"), "ball-ball": kinds.count("ball_ball")}
+
+
+def test_a_balls_energy_is_seen_where_it_is_the_total(run: carom.Run) -> None:
+    red, blue, total = run.plot_energy().lines[:3]
+    assert total.get_label() == "total"
+    assert total.get_zorder() < min(red.get_zorder(), blue.get_zorder())
+    assert total.get_linewidth() > 2 * max(red.get_linewidth(), blue.get_linewidth())
+
+
+def test_a_constant_speed_is_drawn_below_the_edge(stadium: carom.Run) -> None:
+    assert stadium.plot_speed().get_ylim()[1] > 1.04
+
+
+@pytest.mark.parametrize(("mass", "label"), [(1.0, "energy (J)"), (1e9, r"energy ($10^{10}$ J)")])
+def test_large_numbers_are_multiples_of_a_power_of_ten(midterm: carom.Scenario, mass: float, label: str) -> None:
+    units = {"units": {"length": "m", "time": "s", "mass": "kg"}, "ball_defaults.mass": mass}
+    ax = midterm.with_values(units).run().plot_energy()
+    assert ax.get_ylabel() == label
+    renderer = FigureCanvasAgg(drawn(ax)).get_renderer()
+    assert ax.get_tightbbox(renderer).x0 >= 0.0
+    assert max(len(text.get_text()) for text in ax.get_yticklabels()) <= 4
 
 
 @pytest.mark.parametrize("draw", DRAWINGS[1:])

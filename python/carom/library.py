@@ -64,12 +64,14 @@ def _bundled(name: str) -> str:
 def _read(path: Path) -> str:
     try:
         return path.read_text(encoding="utf-8")
-    except (FileNotFoundError, IsADirectoryError):
+    except IsADirectoryError:
+        raise ScenarioError(f"{path}: a folder, not a scenario file") from None
+    except FileNotFoundError:
         raise ScenarioError(f"{path}: no such file{_nearest(path.stem)}") from None
     except UnicodeDecodeError as error:
         raise ScenarioError(f"{path}: not a text in UTF-8 (byte {error.start})") from None
 
 
 def _nearest(name: str) -> str:
-    near = difflib.get_close_matches(name, scenarios(), n=3, cutoff=0.5)
+    near = difflib.get_close_matches(name, scenarios(), n=3, cutoff=0.6)
     return f"; the nearest ready-made: {', '.join(near)}" if near else ""

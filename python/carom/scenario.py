@@ -82,7 +82,12 @@ class Scenario:
     def load(cls, source: str | os.PathLike[str]) -> Scenario:
         """Load a ready-made scenario by name, or a file by path; see `carom.load`."""
         text, form = library.text_of(source)
-        return cls._of(_engine.Scenario.parse(text, form))
+        try:
+            return cls._of(_engine.Scenario.parse(text, form))
+        except ScenarioError as error:
+            if {"physics_version", "digest"} <= {place for place, _ in error.problems}:
+                raise ScenarioError(f"{source}: a saved run, not a scenario; load_run and verify take it") from None
+            raise
 
     @classmethod
     def from_toml(cls, text: str) -> Scenario:

@@ -10,9 +10,9 @@ from typing import Any
 
 import typer
 
+from carom.cli import INTERRUPTED
 from carom.errors import CaromError, ScenarioError
 
-INTERRUPTED = 130
 PROBLEM = 1
 
 
@@ -37,18 +37,12 @@ def reporting() -> Iterator[None]:
         say_error(str(error.filename or ""), error.strerror or str(error))
         raise typer.Exit(PROBLEM) from None
     except KeyboardInterrupt:
-        raise typer.Exit(say_interrupted()) from None
+        raise typer.Exit(INTERRUPTED) from None
 
 
 def say_error(place: str, message: str) -> None:
     """Print one problem on stderr."""
     print(": ".join(filter(None, ("error", place, message))), file=sys.stderr)
-
-
-def say_interrupted() -> int:
-    """Say on stderr that the command was interrupted, and give the exit code for it."""
-    print("interrupted: nothing was written", file=sys.stderr)
-    return INTERRUPTED
 
 
 def print_json(value: Any) -> None:
@@ -76,10 +70,13 @@ def print_table(columns: Mapping[str, Sequence[Any]], *, title: str = "", most: 
     from rich.table import Table
 
     shown = list(zip(*map(_short_texts, columns.values()), strict=True))[:most]
-    table = Table(title=title or None, title_justify="left", box=box.SIMPLE_HEAD, pad_edge=False)
+    table = Table(title=title or None, title_justify="left", box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
     for name, values in columns.items():
         numeric = all(isinstance(value, (int, float)) for value in values)
-        table.add_column(name, justify="right" if numeric else "left")
+        # What becomes narrow first is a head of two words; no value is cut while there is room for all.
+        head = name.replace("_", " ") if numeric else name
+        whole = " " not in head and name != list(columns)[-1]
+        table.add_column(head, justify="right" if numeric else "left", no_wrap=whole, overflow="fold")
     for row in shown:
         table.add_row(*row)
     if len(shown) < len(rows):

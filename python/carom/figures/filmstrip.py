@@ -8,11 +8,20 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
+from matplotlib.patheffects import Normal, Stroke
 
 from carom.figures import style
 from carom.figures.moments import default_event, frame_times, just_before
 from carom.figures.scene import Scene
-from carom.figures.table import arrow_scale, draw_arrow, draw_balls, draw_table, framed_ratio, table_contains
+from carom.figures.table import (
+    arrow_scale,
+    draw_arrow,
+    draw_balls,
+    draw_table,
+    framed_ratio,
+    points_per_unit,
+    table_contains,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -25,6 +34,7 @@ if TYPE_CHECKING:
 PAGE_WIDTH = 7.2
 PAGE_HEIGHT = 8.4
 LEFT, RIGHT, GAP, BELOW, TITLE, NARROW = 0.5, 0.1, 0.16, 0.36, 0.3, 1.8  # inches
+LABEL_GAP, LABEL_ROOM = 6.5, 11.0  # points
 
 
 @dataclass(frozen=True)
@@ -215,36 +225,53 @@ def _draw_contact_axes(ax: Axes, strip: Strip) -> None:
     scene, event = strip.scene, strip.event
     centre, normal = np.array(event.position), np.array(event.normal)
     at_cushion = len(event.balls) == 1
-    radius = float(scene.radii[strip.participants].max())
-    short = max(2.4 * radius, 0.06 * scene.size)
-    positions, velocities = strip.run.states([event.time])
-    tips = (positions + strip.arrow * velocities)[0, strip.participants, :2] - centre
+    point = 1.0 / points_per_unit(ax)
+    short = max(2.4 * float(scene.radii[strip.participants].max()), 0.06 * scene.size)
+    positions, velocities = (states[0, :, :2] for states in strip.run.states([event.time]))
+    tips = (positions + strip.arrow * velocities)[strip.participants] - centre
     for name, direction in (("n", normal), ("t", np.array([-normal[1], normal[0]]))):
         origin = centre + 0.03 * scene.size * normal if name == "t" and at_cushion else centre
-        wanted = max(short, float((tips @ direction).max()) + 0.03 * scene.size)
-        ahead = _length_inside(scene, origin, direction, wanted)
-        behind = 0.0 if name == "n" and at_cushion else _length_inside(scene, origin, -direction, short)
+        wanted = [max(short, float((sign * tips @ direction).max()) + 6.0 * point) for sign in (1.0, -1.0)]
+        ahead = _length_inside(scene, origin, direction, wanted[0], LABEL_ROOM * point)
+        behind = _length_inside(scene, origin, -direction, wanted[1], LABEL_ROOM * point)
+        behind = 0.0 if name == "n" and at_cushion else behind
         ends = origin + np.outer([-behind, ahead], direction)
         ax.plot(*ends.T, color=style.INK, linewidth=0.7, linestyle=(0, (5, 2.5)), zorder=3.6)
-        label = ends[1] if ahead >= 0.6 * wanted else ends[0]
-        away = label + 0.025 * scene.size * (label - origin) / np.linalg.norm(label - origin)
-        ax.text(
-            float(away[0]),
-            float(away[1]),
-            name,
-            fontsize=style.LABEL_SIZE,
-            style="italic",
-            ha="center",
-            va="center",
-            zorder=5,
-        )
+        labels = origin + np.outer([ahead + LABEL_GAP * point, -behind - LABEL_GAP * point], direction)
+        clear = _gaps_to_discs(scene, positions, labels) / point > 3.0
+        first = (ahead >= 0.6 * wanted[0] and bool(clear[0])) or not clear[1] or behind == 0.0
+        _name_line(ax, labels[0 if first else 1], name)
 
 
-def _length_inside(scene: Scene, origin: NDArray[np.float64], direction: NDArray[np.float64], wanted: float) -> float:
-    """Shorten a line from the contact until it and its name lie on the cloth."""
+def _name_line(ax: Axes, place: NDArray[np.float64], name: str) -> None:
+    """Write a letter with a light rim, so that it can be read on whatever it covers."""
+    x, y = place.tolist()
+    ax.text(
+        x,
+        y,
+        name,
+        fontsize=style.LABEL_SIZE,
+        style="italic",
+        ha="center",
+        va="center",
+        zorder=5,
+        path_effects=[Stroke(linewidth=2.0, foreground=style.CLOTH), Normal()],
+    )
+
+
+def _gaps_to_discs(scene: Scene, positions: NDArray[np.float64], places: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Give how far some places (n, 2) are from the nearest disc, below zero inside it."""
+    distances = np.linalg.norm(places[:, None] - positions, axis=-1) - scene.radii
+    gaps: NDArray[np.float64] = np.nanmin(distances, axis=1)
+    return gaps
+
+
+def _length_inside(
+    scene: Scene, origin: NDArray[np.float64], direction: NDArray[np.float64], wanted: float, room: float
+) -> float:
+    """Shorten a line from the contact until it, and so much more for its name, lies on the cloth."""
     inside = table_contains(scene)
     lengths = wanted * np.arange(1.0, 0.2, -0.05)
-    room = 0.05 * scene.size
     return next((float(x) for x in lengths if inside((origin + (x + room) * direction)[None])), float(lengths[-1]))
 
 

@@ -26,6 +26,7 @@ MOST_NUMBERS = 30
 MOST_MARKS = 400
 SAMPLES = 500
 MARGIN = 0.055
+MARGIN_WITHOUT_NUMBERS = 0.035
 LEGEND = {"frameon": False, "handletextpad": 0.1, "columnspacing": 1.2, "borderaxespad": 0.15}
 
 
@@ -48,57 +49,61 @@ def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None)
     Axes
     """
     scene = Scene.of(run.scenario)
-    ax = _new_axes(scene) if ax is None else ax
-    draw_table(ax, scene, margin=MARGIN)
+    events = [event for event in run.events if np.isfinite(event.x) and np.isfinite(event.y)]
+    numbered = len(events) <= MOST_NUMBERS if numbers is None else numbers
+    margin = MARGIN if numbered else MARGIN_WITHOUT_NUMBERS
+    kinds = [kind for kind in style.EVENT_WORDS if len(events) <= MOST_MARKS and _some_of(events, kind)]
+    ax = _new_axes(scene, margin, kinds) if ax is None else ax
+    draw_table(ax, scene, margin=margin)
     ax.set_xlabel(scene.label("x", "length"), fontsize=style.LABEL_SIZE, labelpad=1)
     ax.set_ylabel(scene.label("y", "length"), fontsize=style.LABEL_SIZE, labelpad=2)
-    events = [event for event in run.events if np.isfinite(event.x) and np.isfinite(event.y)]
     times = draw_times(run, SAMPLES)
     places = run.positions(times)[..., :2]
     _draw_lines(ax, scene, places, len(events))
     draw_balls(ax, scene, places[0], filled=False, zorder=2.6)
     draw_balls(ax, scene, places[-1], zorder=3.0)
-    if len(events) <= MOST_MARKS:
-        _draw_marks(ax, events)
-    if len(events) <= MOST_NUMBERS if numbers is None else numbers:
+    for kind in kinds:
+        _draw_marks(ax, scene, events, kind)
+    if numbered:
         _draw_contact_rings(ax, run, scene, events)
         _draw_numbers(ax, run, scene, events, places)
     return ax
 
 
-def _new_axes(scene: Scene) -> Axes:
-    """Make an axes as large as a page's column allows, in the table's proportions."""
-    ratio = framed_ratio(scene, MARGIN)
+def _some_of(events: list[Event], kind: str) -> bool:
+    return any(event.kind == kind for event in events)
+
+
+def _new_axes(scene: Scene, margin: float, kinds: list[str]) -> Axes:
+    """Make an axes as large as a page's column allows, in the table's proportions, with a legend of its marks."""
+    ratio = framed_ratio(scene, margin)
     width = min(5.4, 6.4 / ratio)
     left, right, below, above = 0.5, 0.1, 0.68, 0.06
     total = (left + width + right, below + width * ratio + above)
     figure = style.new_figure(*total)
     place = (left / total[0], below / total[1], width / total[0], width * ratio / total[1])
     ax = figure.add_axes(place)
-    figure.legend(handles=_legend_marks(), loc="lower center", ncols=4, fontsize=style.TICK_SIZE, **LEGEND)
+    figure.legend(handles=_legend_marks(kinds), loc="lower center", ncols=4, fontsize=style.TICK_SIZE, **LEGEND)
     return ax
 
 
-def _legend_marks() -> list[Line2D]:
+def _legend_marks(kinds: list[str]) -> list[Line2D]:
     """Give one sample of each mark, with its meaning."""
     grey = style.FAINT_INK
     return [
         Line2D([], [], linestyle="none", marker="o", markersize=8, mfc="none", mec=grey, label="start"),
         Line2D([], [], linestyle="none", marker="o", markersize=8, mfc=grey, mec=style.BALL_EDGE, label="end"),
-        *(
-            Line2D([], [], linestyle="none", label=style.EVENT_WORDS[kind], **_mark(kind))
-            for kind in ("ball_ball", "ball_cushion")
-        ),
+        *(Line2D([], [], linestyle="none", label=style.EVENT_WORDS[kind], **_mark(kind)) for kind in kinds),
     ]
 
 
-def _mark(kind: str) -> dict[str, Any]:
-    """Give the look of a kind of event's mark."""
+def _mark(kind: str, most: float = np.inf) -> dict[str, Any]:
+    """Give the look of a kind of event's mark, of at most so many points across."""
     colour = style.EVENT_COLOURS[kind]
     shared: dict[str, Any] = {"marker": style.EVENT_MARKERS[kind]}
     if kind == "ball_cushion":
         return shared | {"markersize": 3.0, "mfc": "white", "mec": colour, "mew": 0.8}
-    return shared | {"markersize": 4.4, "mfc": colour, "mec": "white", "mew": 0.6}
+    return shared | {"markersize": min(4.4, most), "mfc": colour, "mec": "white", "mew": 0.6}
 
 
 def _draw_lines(ax: Axes, scene: Scene, places: NDArray[np.float64], n_events: int) -> None:
@@ -115,11 +120,13 @@ def _draw_lines(ax: Axes, scene: Scene, places: NDArray[np.float64], n_events: i
         )
 
 
-def _draw_marks(ax: Axes, events: list[Event]) -> None:
-    for kind in ("ball_cushion", "ball_ball"):
-        chosen = [event.position for event in events if event.kind == kind]
-        x, y = np.array(chosen).reshape(-1, 2).T
-        ax.plot(x, y, linestyle="none", zorder=3.6, clip_on=False, **_mark(kind))
+def _draw_marks(ax: Axes, scene: Scene, events: list[Event], kind: str) -> None:
+    """Mark the events of a kind; between small balls the marks are small, so that a rack does not drown in them."""
+    x, y = np.array([event.position for event in events if event.kind == kind]).T
+    radii = scene.radii[scene.radii > 0.0]
+    most = max(2.4, 0.7 * float(radii.min()) * points_per_unit(ax)) if len(radii) else np.inf
+    zorder = 3.6 + 0.1 * (kind == "ball_ball")
+    ax.plot(x, y, linestyle="none", zorder=zorder, clip_on=False, **_mark(kind, most))
 
 
 def _draw_contact_rings(ax: Axes, run: Run, scene: Scene, events: list[Event]) -> None:

@@ -82,10 +82,11 @@ class Scene:
         """The larger extent of the table."""
         return max(self.width, self.height)
 
-    def label(self, words: str, quantity: str) -> str:
-        """Give an axis label: the words, and the unit in brackets where the scenario names one."""
-        unit = self.unit(quantity)
-        return f"{words} ({unit})" if unit else words
+    def label(self, words: str, quantity: str, power: int = 0) -> str:
+        """Give an axis label: the words, and in brackets the power of ten and the unit where there are any."""
+        parts = [f"$10^{{{power}}}$"] if power else []
+        parts += [unit] if (unit := self.unit(quantity)) else []
+        return f"{words} ({' '.join(parts)})" if parts else words
 
     def unit(self, quantity: str) -> str:
         """Give the unit of a quantity, put together from those of length, time and mass if need be."""

@@ -22,6 +22,8 @@ SAMPLES = 600
 MOST_TICKS = 2000
 MOST_NAMED = 8
 LEGEND_COLUMNS = 6
+TOTAL = "#b4bec5"
+PLAIN = (-3, 4)  # powers of ten between which numbers at an axis are written in full
 
 
 def plot_energy(run: Run, ax: Axes | None = None) -> Axes:
@@ -52,8 +54,9 @@ def plot_energy(run: Run, ax: Axes | None = None) -> Axes:
         for values, name, dashes in ((total, "kinetic", "--"), (potential, "potential", ":")):
             ax.plot(times, values, color=style.INK, linewidth=1.2, linestyle=dashes, label=name, zorder=3)
         total = total + potential
-    ax.plot(times, total, color=style.INK, linewidth=1.8, label="total", zorder=3)
-    return _finish(ax, run, scene, scene.label("energy", "energy"), from_zero=True)
+    # Under the balls' curves, and wider: where one ball has all the energy, both are seen.
+    ax.plot(times, total, color=TOTAL, linewidth=3.4, label="total", zorder=1.8)
+    return _finish(ax, run, scene, "energy", "energy", from_zero=True)
 
 
 def plot_speed(run: Run, ax: Axes | None = None) -> Axes:
@@ -74,7 +77,7 @@ def plot_speed(run: Run, ax: Axes | None = None) -> Axes:
     ax = _new_axes(scene) if ax is None else ax
     times = draw_times(run, SAMPLES)
     _draw_balls(ax, scene, times, np.linalg.norm(run.velocities(times), axis=-1))
-    return _finish(ax, run, scene, scene.label("speed", "speed"), from_zero=True)
+    return _finish(ax, run, scene, "speed", "speed", from_zero=True)
 
 
 def plot_momentum(run: Run, ax: Axes | None = None) -> Axes:
@@ -98,7 +101,7 @@ def plot_momentum(run: Run, ax: Axes | None = None) -> Axes:
     for axis, (name, colour) in enumerate((("x", style.PALETTE[3]), ("y", style.PALETTE[4]))):
         ax.plot(times, momentum[:, axis], color=colour, linewidth=1.5, label=f"total, {name}", zorder=2)
     ax.axhline(0.0, color=style.FAINT_INK, linewidth=0.7, zorder=1)
-    return _finish(ax, run, scene, scene.label("momentum", "momentum"), from_zero=False)
+    return _finish(ax, run, scene, "momentum", "momentum", from_zero=False)
 
 
 def _new_axes(scene: Scene, more: int = 0) -> Axes:
@@ -121,17 +124,19 @@ def _draw_balls(ax: Axes, scene: Scene, times: NDArray[np.float64], values: NDAr
         ax.plot(times, values[:, ball], color=colour, linewidth=0.9 if many else 1.3, label=name or None, zorder=2)
 
 
-def _finish(ax: Axes, run: Run, scene: Scene, label: str, *, from_zero: bool) -> Axes:
+def _finish(ax: Axes, run: Run, scene: Scene, words: str, quantity: str, *, from_zero: bool) -> Axes:
     """Add event ticks, labels and the legend above the curves."""
     style.tidy_axes(ax)
     ax.set_xlim(0.0, run.end_time or 1.0)
     low, high = ax.get_ylim()
-    low = 0.0 if from_zero else low
+    if from_zero:
+        low, high = 0.0, max(high, 1.05 * ax.dataLim.y1)
     rug = 0.07 * (high - low)
     ax.set_ylim(low - rug, high)
+    power = _shorten_numbers(ax)
     _draw_event_ticks(ax, run)
     ax.set_xlabel(scene.label("time", "time"), fontsize=style.LABEL_SIZE)
-    ax.set_ylabel(label, fontsize=style.LABEL_SIZE)
+    ax.set_ylabel(scene.label(words, quantity, power), fontsize=style.LABEL_SIZE)
     ax.legend(
         loc="lower left",
         bbox_to_anchor=(0.0, 1.0),
@@ -143,6 +148,16 @@ def _finish(ax: Axes, run: Run, scene: Scene, label: str, *, from_zero: bool) ->
         borderaxespad=0.2,
     )
     return ax
+
+
+def _shorten_numbers(ax: Axes) -> int:
+    """Write very large and very small numbers as multiples of a power of ten, and give its exponent."""
+    largest = float(np.abs(ax.get_ylim()).max())
+    power = int(np.floor(np.log10(largest))) if 0.0 < largest < np.inf else 0
+    if PLAIN[0] <= power < PLAIN[1]:
+        return 0
+    ax.yaxis.set_major_formatter(lambda value, _: f"{value / 10.0**power:g}")
+    return power
 
 
 def _draw_event_ticks(ax: Axes, run: Run) -> None:

@@ -134,6 +134,7 @@ def tidy_axes(ax: Axes) -> None:
     for side in ("left", "bottom"):
         ax.spines[side].set_color(FAINT_INK)
     ax.tick_params(labelsize=TICK_SIZE, color=FAINT_INK, labelcolor=INK, length=3)
+    ax.tick_params(which="minor", color=FAINT_INK, length=2)
     ax.grid(True, color=GRID, linewidth=0.6)
     ax.set_axisbelow(True)
 

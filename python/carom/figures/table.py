@@ -151,6 +151,7 @@ def draw_arrow(
         linestyle=(0, (2.2, 1.6)) if faint else "solid",
         joinstyle="miter",
         zorder=4.0 if faint else 4.2,
+        clip_on=False,
     )
     rim = Stroke(linewidth=arrow.get_linewidth() + 1.3 * size, foreground="white", alpha=0.75)
     arrow.set_path_effects([] if faint else [rim, Normal()])
