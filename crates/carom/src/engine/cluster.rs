@@ -287,14 +287,20 @@ impl<S: Scalar> Discs<S> {
         self.diagnostics.forced_clusters += u64::from(forced);
     }
 
+    /// What the law has to know of a contact.
     fn touch(&self, contact: &Contact<S>, members: &[Member<S>], time: S) -> Touch<S> {
-        let ball = members[contact.members.0].ball;
-        let restitution = match (contact.members.1, contact.cushion) {
-            (Some(other), _) => self.ball_law(ball, members[other].ball, time).normal,
-            (None, Some(cushion)) => self.cushion_law(ball, cushion, time).normal,
-            (None, None) => S::ONE,
-        };
-        Touch::new(contact.members.0, contact.members.1, contact.normal, restitution)
+        let (first, second) = contact.members;
+        let member = &members[first];
+        let mut touch = Touch::new(first, second, contact.normal, S::ONE);
+        if let Some(second) = second {
+            let other = members[second].ball;
+            touch.restitution = self.ball_law(member.ball, other, S::ZERO, time).normal;
+            touch.kept_speed = self.kept_speed(member.ball, other);
+        } else if let Some(cushion) = contact.cushion {
+            touch.restitution = self.cushion_law(member.ball, cushion, time).normal;
+            touch.is_held = self.system.collapse_is_elastic && member.held_by.contains(&Some(cushion));
+        }
+        touch
     }
 
     /// Applies the tangential factors of the cushions that were hit; says whether any velocity changed.

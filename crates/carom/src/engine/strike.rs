@@ -91,7 +91,7 @@ impl<S: Scalar> Discs<S> {
         let separation = position_b - position_a;
         self.audit_distance(a, separation.norm(), discs[0].radius + discs[1].radius);
         let pair = Pair::new([&discs[0], &discs[1]], separation, [velocity_a, velocity_b]);
-        let law = self.ball_law(a, b, time);
+        let law = self.ball_law(a, b, pair.closing_speed, time);
         let impulse = law.impulse(&pair);
         let after_a = velocity_a - pair.normal * (impulse * discs[0].inverse_mass);
         let after_b = velocity_b + pair.normal * (impulse * discs[1].inverse_mass);
