@@ -4,11 +4,11 @@
 mod kit;
 
 use carom::flight::State;
-use carom::run::{Event, Log, Run, Status};
+use carom::run::{Event, Log, Nothing, Run, Status};
 use carom::simulate::simulate;
 use kit::random::Random;
 use kit::scenes::{Ball, ball, rack, rectangle, scenario};
-use kit::start_endless;
+use kit::{start, start_endless};
 use serde_json::{Value, json};
 
 /// The run of some balls up to a time.
@@ -164,5 +164,82 @@ fn assert_parting(states: &[State<f64>], balls: &[Ball], what: &str) {
                 assert!(closing < 1e-12 * fastest, "{what}: {a} and {b} close at {closing:e} of {fastest}");
             }
         }
+    }
+}
+
+/// Two rows of three balls above the floor of a tilted table.
+fn falling_rows() -> Vec<Ball> {
+    let place = |k: u32| {
+        let (column, row) = (f64::from(k % 3), f64::from(k / 3));
+        [0.3 + 0.17 * column + 0.05 * row, 0.4 + 0.3 * row]
+    };
+    (0..6).map(|k| ball(0.08, place(k), [0.1 - 0.03 * f64::from(k), 0.0])).collect()
+}
+
+/// A large ball in the corner, and a small one that slides under it and would lift it.
+fn wedge() -> Vec<Ball> {
+    vec![
+        ball(0.055, [0.4, 1.1], [-0.26, -1.7]),
+        Ball { mass: 0.5, ..ball(0.1, [0.11, 0.105], [-0.23, 0.18]) },
+    ]
+}
+
+/// Runs a heap on a tilted table with `collapse = "tc"`; asserts that time goes on and the energy does not rise.
+fn assert_goes_on(balls: &[Ball], e: [f64; 3], duration: f64) {
+    let field = [-0.4, -1.2];
+    let physics = json!({
+        "flight": { "law": "field", "acceleration": field },
+        "ball_ball": { "law": "restitution", "normal": e[0] },
+        "ball_cushion": { "law": "restitution", "normal": e[1], "tangential": e[2] },
+        "collapse": "tc",
+    });
+    let mut scenario = scenario(&rectangle(1.0, 1.5), &physics, balls);
+    (scenario.duration, scenario.max_events) = (Some(duration), Some(1_000_000));
+    let mut simulation = start(&scenario);
+    let energy = |states: &[State<f64>]| {
+        let of = |(State { position: x, velocity: v }, b): (&State<f64>, &Ball)| {
+            b.mass * (0.5 * (v.x * v.x + v.y * v.y) - field[0] * x.x - field[1] * x.y)
+        };
+        states.iter().zip(balls).map(of).sum::<f64>()
+    };
+    let initial = energy(&simulation.state());
+    let mut last = initial;
+    while simulation.step(&mut Nothing).unwrap_or_else(|error| panic!("{e:?}: {error}")) {
+        let now = energy(&simulation.state());
+        // Sums of a dozen terms of the size of the whole, whose rounding in places grows with the number of flights.
+        assert!(now <= last + 1e-14 * initial, "e = {e:?}, t = {}: {last} → {now}", simulation.time());
+        last = now;
+    }
+    let said = simulation.diagnostics();
+    assert_eq!(simulation.status(), Some(Status::TimeLimit), "{e:?} at {}: {said:?}", simulation.time());
+    assert!(said.energy_gain <= 1e-14 * initial, "{e:?}: {said:?}");
+    let shortest = simulation.system().collapse_times.iter().copied().fold(f64::INFINITY, f64::min);
+    let per_collapse_time = said.total_events() as f64 * shortest / duration;
+    // A handful for each ball.
+    assert!(per_collapse_time < 10.0 * balls.len() as f64, "{e:?}: {per_collapse_time} events per t_c");
+}
+
+#[test]
+fn heaps_that_lose_energy_go_on_hopping_with_tc() {
+    for e in [0.0, 0.05, 0.2, 0.5, 0.8] {
+        assert_goes_on(&falling_rows(), [e, e, 1.0], 5.0);
+        assert_goes_on(&wedge(), [e, 0.2, 0.4], 5.0);
+    }
+    assert_goes_on(&falling_rows(), [0.2, 0.5, 0.9], 5.0);
+}
+
+#[test]
+fn the_same_heaps_without_tc_say_that_they_collapsed() {
+    for e in [0.0, 0.2, 0.5] {
+        let physics = json!({
+            "flight": { "law": "field", "acceleration": [-0.4, -1.2] },
+            "ball_ball": { "law": "restitution", "normal": e },
+            "ball_cushion": { "law": "restitution", "normal": e },
+        });
+        let balls = falling_rows();
+        let run = run(&rectangle(1.0, 1.5), &physics, &balls, 20.0);
+        let said = &run.diagnostics;
+        assert_eq!(run.status, Status::Collapsed, "e = {e}: {said:?}");
+        assert!(said.energy_drift < 1e-13 * said.initial_energy, "e = {e}: {said:?}");
     }
 }

@@ -173,21 +173,35 @@ impl<S: Scalar> Discs<S> {
         }
     }
 
-    /// The law of a cushion for a ball now: without normal loss in a burst of contacts, if the scenario says so.
+    /// The law of a cushion for a ball now: without loss in a burst of contacts, if the scenario says so.
     #[inline(always)]
     pub(super) fn cushion_law(&self, ball: usize, cushion: u32, time: S) -> ball_cushion::Restitution<S> {
-        let law = self.system.cushion_laws[cushion as usize];
-        if self.is_in_burst(ball, time) { ball_cushion::Restitution { normal: S::ONE, ..law } } else { law }
+        if self.is_in_burst(ball, time) {
+            ball_cushion::Restitution::ELASTIC
+        } else {
+            self.system.cushion_laws[cushion as usize]
+        }
     }
 
-    /// The law between two balls now.
+    /// The law between two balls that close at some speed now.
     #[inline(always)]
-    pub(super) fn ball_law(&self, a: usize, b: usize, time: S) -> ball_ball::Restitution<S> {
-        if self.is_in_burst(a, time) || self.is_in_burst(b, time) {
+    pub(super) fn ball_law(&self, a: usize, b: usize, speed: S, time: S) -> ball_ball::Restitution<S> {
+        if !self.system.collapse_is_elastic {
+            self.system.ball_ball
+        } else if self.is_in_burst(a, time) || self.is_in_burst(b, time) {
             ball_ball::Restitution::ELASTIC
         } else {
-            self.system.ball_ball
+            self.system.ball_ball.keeping(self.kept_speed(a, b), speed)
         }
+    }
+
+    /// The speed that two balls in a field must part with for a bounce of about t_c, if the scenario asks for such.
+    pub(super) fn kept_speed(&self, a: usize, b: usize) -> S {
+        if !self.system.collapse_is_elastic {
+            return S::ZERO;
+        }
+        let [a, b] = [a, b].map(|ball| self.system.collapse_times[ball]);
+        (if a < b { a } else { b }) * self.system.field.norm() * S::from_f64(0.5)
     }
 
     #[inline(always)]

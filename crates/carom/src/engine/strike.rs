@@ -163,7 +163,7 @@ impl<S: Scalar> Discs<S> {
         });
         let separation = before[1].position - before[0].position;
         let pair = Pair::new([&a.disc, &b.disc], separation, before.map(|state| state.velocity));
-        let law = self.ball_law(balls[0], balls[1], time);
+        let law = self.ball_law(balls[0], balls[1], pair.closing_speed, time);
         Collision {
             balls,
             time,

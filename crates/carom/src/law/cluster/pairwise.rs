@@ -17,7 +17,7 @@ pub fn resolve_pairwise<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<
         let speed = -touches[k].gap_rate(bodies);
         let inverse_mass =
             bodies[touches[k].a].inverse_mass + touches[k].b.map_or(S::ZERO, |b| bodies[b].inverse_mass);
-        let impulse = (S::ONE + touches[k].restitution) * speed / inverse_mass;
+        let impulse = (S::ONE + touches[k].restitution_now(bodies)) * speed / inverse_mass;
         touches[k].note_closing(speed);
         touches[k].apply(impulse, bodies);
     }
