@@ -334,7 +334,7 @@ def test_compare_shows_first_order_convergence(tmp_path: Path) -> None:
 
 def test_compare_writes_its_table_and_figure(tmp_path: Path) -> None:
     out = tmp_path / "out"
-    fine("compare", "midterm", "--dt", "0.03,0.01", "--out", out, "--format", "png,pdf")
+    fine("compare", "midterm", "--dt", "0.03", "--dt", "0.01", "--out", out, "--format", "png", "--format", "pdf")
     assert names_in(out) == {"comparison.csv", "errors.png", "errors.pdf"}
     assert [float(row["dt"]) for row in rows_of(out / "comparison.csv")] == [0.03, 0.01]
     assert shell("compare", "midterm", "--dt", "0.1", "--out", out).code == 1

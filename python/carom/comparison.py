@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from carom.run import Run
     from carom.scenario import Scenario
 
-DEFAULT_STEPS = (0.1, 0.05, 0.03, 0.01, 0.005, 0.003, 0.001, 0.0005, 0.0003, 0.0001)
-"""Time steps over three decades."""
+DEFAULT_STEPS = tuple(step * 10.0**power for power in (-1, -2, -3, -4, -5) for step in (1.0, 0.5, 0.3))[:-2]
+"""Time steps over four decades."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ def compare(scenario: Scenario, steps: Iterable[float] = DEFAULT_STEPS, **option
     [1, 0]
     """
     exact = scenario.run(method=Exact(), **options)
-    rows = [_row(exact, scenario.run(method=Stepped(dt), **options), dt) for dt in steps]
+    rows = [_row(exact, scenario.run(method=Stepped(dt), record="events", **options), dt) for dt in steps]
     table = ColumnTable({name: [row[name] for row in rows] for name in ROW})
     return Comparison(exact, table, _order(table))
 

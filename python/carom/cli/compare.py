@@ -23,14 +23,14 @@ NAMES = (MARK, "errors.png", "errors.svg", "errors.pdf")
 def compare(
     scenario: options.ScenarioName,
     dt: Annotated[
-        str | None,
-        typer.Option(metavar="LIST", help="Time steps, comma separated.  [default: 0.1 down to 0.0001]"),
+        list[str] | None,
+        typer.Option(metavar="LIST", help="Time steps, comma separated.  [default: 0.1 down to 0.00001]"),
     ] = None,
     duration: options.Duration = None,
     settings: options.Settings = None,
     out: options.Out = None,
     overwrite: options.Overwrite = False,
-    formats: options.Formats = "png",
+    formats: options.Formats = None,
     as_json: options.Json = False,
 ) -> None:
     """Compare the stepped method with the exact run.
@@ -42,7 +42,7 @@ def compare(
     """
     from carom.comparison import DEFAULT_STEPS, compare
 
-    steps = DEFAULT_STEPS if dt is None else _read_steps(dt)
+    steps = _read_steps(",".join(dt)) if dt else DEFAULT_STEPS
     kinds = options.read_formats(formats)
     if out is not None:
         check_free(out, NAMES, overwrite=overwrite)

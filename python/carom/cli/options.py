@@ -22,7 +22,10 @@ Settings = Annotated[
 ]
 Out = Annotated[Path | None, typer.Option(metavar="DIR", help="Write the results into this folder.")]
 Overwrite = Annotated[bool, typer.Option("--overwrite", help="Replace results that DIR already holds.")]
-Formats = Annotated[str, typer.Option("--format", metavar="LIST", help="Figures as png, svg, pdf; comma separated.")]
+Formats = Annotated[
+    list[str] | None,
+    typer.Option("--format", metavar="LIST", help="Figures as png, svg, pdf; comma separated.  [default: png]"),
+]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 
@@ -51,10 +54,10 @@ def read_setting(setting: str) -> tuple[str, Any]:
         return path, value
 
 
-def read_formats(formats: str) -> list[str]:
-    """Read a list such as ``png,pdf``."""
+def read_formats(formats: list[str] | None) -> list[str]:
+    """Read lists such as ``png,pdf``; the option may be repeated."""
     known = ("png", "svg", "pdf")
-    chosen = [word.strip().lower() for word in formats.split(",")]
+    chosen = [word.strip().lower() for word in ",".join(formats or ["png"]).split(",")]
     for word in chosen:
         if word not in known:
             raise typer.BadParameter(f"{word!r} is none of {', '.join(known)}", param_hint="--format")

@@ -56,7 +56,7 @@ def run(
     ] = None,
     out: options.Out = None,
     overwrite: options.Overwrite = False,
-    formats: options.Formats = "png",
+    formats: options.Formats = None,
     no_figures: Annotated[bool, typer.Option("--no-figures", help="Write no figures.")] = False,
     no_animation: Annotated[bool, typer.Option("--no-animation", help="Write no animation.")] = False,
     as_json: options.Json = False,
