@@ -27,22 +27,25 @@ impl<S: Scalar> Discs<S> {
         self.balls.iter().all(|ball| ball.flight.is_rest())
     }
 
-    /// Whether all balls that move would need more time to cross the table than a number can hold.
-    pub fn is_slower_than_time(&self) -> bool {
-        let across = |flight: &Flight<S>| {
+    /// Whether all balls that move would not cross the table by a time, however late.
+    pub fn is_slower_than(&self, latest: S) -> bool {
+        let arrival = |flight: &Flight<S>| {
             let speed = flight.velocity.x.abs() + flight.velocity.y.abs();
             flight.start + self.system.tolerance.table_size() / speed
         };
         self.balls
             .iter()
             .map(|ball| &ball.flight)
-            .all(|f| f.is_rest() || (f.is_straight() && !across(f).is_finite()))
+            .all(|f| f.is_rest() || (f.is_straight() && arrival(f) > latest))
     }
 
     /// Sums the energy and notes how far it is from what the laws account for.
     pub(super) fn audit(&mut self, time: S) {
         let energy = self.energy_at(time);
         let drift = (energy - self.diagnostics.initial_energy + self.diagnostics.energy_loss).abs();
+        if !energy.is_finite() {
+            self.fault = Some(Fault::NotFinite);
+        }
         self.diagnostics.final_energy = energy;
         self.diagnostics.energy_drift = self.diagnostics.energy_drift.max(drift);
     }

@@ -26,6 +26,8 @@ pub enum Fault {
     Collapse(u32),
     /// This ball is deeper in another than the contact tolerance.
     Overlap(u32),
+    /// A number of the state is infinite, or none at all.
+    NotFinite,
 }
 
 /// A ball under way.

@@ -6,8 +6,15 @@ use crate::detect::cushion_gap;
 use crate::flight::State;
 use crate::run::{Kind, Log, Observer, Run, SimulationError, Status};
 use crate::scalar::Scalar;
-use crate::scenario::System;
+use crate::scenario::{LARGEST, System};
 use std::sync::Arc;
+
+/// The time after which nothing happens, even in a run without a duration: later, what is left of the speeds of balls that
+/// always lose some has squares too small for a number.
+const LATEST: f64 = LARGEST;
+
+/// Passes over clusters after which a caller who looks in from time to time gets his turn.
+const PASSES_AT_ONCE: u64 = 64;
 
 /// When a run ends: at the first of these.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -120,23 +127,32 @@ impl<S: Scalar> Simulation<S> {
 
     /// Makes the next event happen (or the next cluster of them); says whether the run goes on.
     pub fn step(&mut self, observer: &mut impl Observer<S>) -> Result<bool, SimulationError> {
-        self.step_before(self.limits.duration.unwrap_or(S::INFINITY), observer)
+        self.step_before(self.latest(), observer)
     }
 
-    /// Goes on for up to `events` steps; says whether the run goes on.
+    /// Goes on for up to `steps` steps, fewer where clusters make them long; says whether the run goes on.
     pub fn advance(&mut self, steps: u64, observer: &mut impl Observer<S>) -> Result<bool, SimulationError> {
-        let limit = self.limits.duration.unwrap_or(S::INFINITY);
+        let limit = self.latest();
+        let passes = self.discs.diagnostics.cluster_passes;
         for _ in 0..steps {
             if !self.step_before(limit, observer)? {
                 return Ok(false);
+            }
+            if self.discs.diagnostics.cluster_passes > passes + PASSES_AT_ONCE {
+                break;
             }
         }
         Ok(self.status.is_none())
     }
 
+    /// The time up to which events happen.
+    fn latest(&self) -> S {
+        self.limits.duration.unwrap_or(S::from_f64(LATEST))
+    }
+
     /// Goes on to the end.
     pub fn run(&mut self, observer: &mut impl Observer<S>) -> Result<Status, SimulationError> {
-        let limit = self.limits.duration.unwrap_or(S::INFINITY);
+        let limit = self.latest();
         while self.step_before(limit, observer)? {}
         Ok(self.status.unwrap_or(Status::Stopped))
     }
@@ -167,7 +183,8 @@ impl<S: Scalar> Simulation<S> {
         observer: &mut impl Observer<S>,
     ) -> Result<bool, SimulationError> {
         for _ in 0..steps {
-            if self.status.is_some() || self.discs.next_time() > time {
+            let is_due = self.status.is_none() && self.discs.next_time() <= time;
+            if !is_due {
                 return Ok(false);
             }
             self.step(observer)?;
@@ -205,11 +222,11 @@ impl<S: Scalar> Simulation<S> {
         }
         if let Some(status) = self.reached_limit() {
             self.end(status, self.time);
-            return Ok(false);
-        }
-        match self.discs.step(limit, observer) {
-            Some(time) => self.time = time,
-            None => self.end_without_event(limit)?,
+        } else {
+            match self.discs.step(limit, observer) {
+                Some(time) => self.time = time,
+                None => self.end_without_event(limit)?,
+            }
         }
         if let Some(fault) = self.discs.fault {
             self.end_by_fault(fault)?;
@@ -235,9 +252,10 @@ impl<S: Scalar> Simulation<S> {
     }
 
     fn end_without_event(&mut self, limit: S) -> Result<(), SimulationError> {
-        if self.discs.is_at_rest() || (limit == S::INFINITY && self.discs.is_slower_than_time()) {
+        let is_endless = self.limits.duration.is_none();
+        if self.discs.is_at_rest() || (is_endless && self.discs.is_slower_than(limit)) {
             self.end(Status::AtRest, self.time);
-        } else if limit == S::INFINITY {
+        } else if is_endless {
             let moving = self.discs.balls.iter().position(|ball| !ball.flight.is_rest());
             let ball = self.discs.system.ball_ids[moving.unwrap_or(0)].clone();
             return Err(SimulationError::Escape { ball, time: self.time.to_f64() });
@@ -255,6 +273,7 @@ impl<S: Scalar> Simulation<S> {
                 time: self.time.to_f64(),
                 depth: self.discs.diagnostics.deepest_overlap,
             }),
+            Fault::NotFinite => Err(SimulationError::NotFinite { time: self.time.to_f64() }),
             Fault::Collapse(_) => {
                 self.end(Status::Collapsed, self.time);
                 Ok(())
@@ -276,7 +295,18 @@ impl<S: Scalar> Simulation<S> {
     /// What each ball is about to do, in the order of the balls.
     pub fn candidates(&mut self) -> Vec<Coming<S>> {
         self.discs.refresh();
-        (0..self.discs.balls.len()).map(|ball| self.coming(ball)).collect()
+        let own: Vec<_> = (0..self.discs.balls.len()).map(|ball| self.coming(ball)).collect();
+        let mut all = own.clone();
+        // An event of two balls is pending for one of them only.
+        for coming in own {
+            if let Some(other) = coming.other
+                && coming.time < all[other as usize].time
+            {
+                let (ball, other) = (other as usize, Some(coming.ball as u32));
+                all[ball] = Coming { ball, other, ..coming };
+            }
+        }
+        all
     }
 
     fn coming(&self, ball: usize) -> Coming<S> {

@@ -95,6 +95,13 @@ impl<S: Scalar> Table<S> {
         self.bounds.size()
     }
 
+    /// The larger of its size and its largest coordinate: what round-off of positions goes by.
+    pub fn reach(&self) -> S {
+        let Bounds { min, max } = self.bounds;
+        let larger = |a: S, b: S| if b > a { b } else { a };
+        [min.x, min.y, max.x, max.y].into_iter().map(S::abs).fold(self.size(), larger)
+    }
+
     /// All cushions: those of the boundary, then those of each obstacle.
     pub fn cushions(&self) -> impl Iterator<Item = &Cushion<S>> {
         self.outlines.iter().flat_map(|outline| &outline.cushions)

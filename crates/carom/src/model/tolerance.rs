@@ -2,10 +2,12 @@
 //!
 //! Neither is an absolute number: lengths scale with the balls and the table, speeds with the balls' own.
 
+use super::table::Table;
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;
 
-/// The contact tolerance δ = 1e-10 (r_a + r_b) + 1e-13 × table size.
+/// The contact tolerance δ = 1e-10 (r_a + r_b) + 1e-13 × table size; for a table that lies further from the origin than it
+/// is large, that distance counts in place of its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTolerance<S> {
     of_table: S,
@@ -13,9 +15,9 @@ pub struct ContactTolerance<S> {
 }
 
 impl<S: Scalar> ContactTolerance<S> {
-    /// The tolerance on a table whose longer side is `table_size`.
-    pub fn new(table_size: S) -> Self {
-        Self { of_table: table_size * S::from_f64(1e-13), table_size }
+    /// The tolerance on a table.
+    pub fn new(table: &Table<S>) -> Self {
+        Self { of_table: table.reach() * S::from_f64(1e-13), table_size: table.size() }
     }
 
     /// The longer side of the table.

@@ -51,6 +51,12 @@ pub enum SimulationError {
         /// How deep.
         depth: f64,
     },
+    /// A position or velocity left the range of numbers.
+    #[error("a position or velocity is no longer a finite number at time {time}")]
+    NotFinite {
+        /// When it was noticed.
+        time: f64,
+    },
     /// Balls move, and nothing stops them: one has left the table.
     #[error(
         "ball {ball} moves after time {time} and never meets anything again, although the run has no duration"

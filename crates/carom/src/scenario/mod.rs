@@ -14,6 +14,7 @@ mod structure;
 mod system;
 mod values;
 
+pub use check::LARGEST;
 pub use json_schema::json_schema;
 pub use layout::Number;
 pub use path::Key;

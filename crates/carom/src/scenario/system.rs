@@ -77,7 +77,7 @@ impl<S: Scalar> System<S> {
         let mut cushion_laws: Vec<_> = table.cushions().map(|c| laws.of(&c.id)).collect();
         cushion_laws.extend(table.corners.iter().map(|c| corner_law(c, &cushion_laws)).collect::<Vec<_>>());
         let faces = faces(&table);
-        let tolerance = ContactTolerance::new(table.size());
+        let tolerance = ContactTolerance::new(&table);
         let backs = backs(&faces, tolerance.of(S::ZERO));
         let field = field(&scenario.physics.flight, number);
         let starts: Vec<_> = (scenario.balls.iter().enumerate())

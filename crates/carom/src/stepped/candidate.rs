@@ -118,11 +118,11 @@ pub fn candidates<S: Scalar>(
     found
 }
 
-/// The course's `getdtBall`: two balls that approach and would overlap at the end of the step.
+/// The course's `getdtBall`: two balls that approach and would overlap at the end of the step. Two points never meet.
 fn ball_candidate<S: Scalar>([a, b]: [State<S>; 2], radii: S, length: S) -> Option<S> {
     let (separation, relative) = (a.position - b.position, a.velocity - b.velocity);
     let tentative = (a.position + a.velocity * length) - (b.position + b.velocity * length);
-    if tentative.norm() > radii || separation.dot(relative) >= S::ZERO {
+    if radii == S::ZERO || tentative.norm() > radii || separation.dot(relative) >= S::ZERO {
         return None;
     }
     let after = (separation.norm() - radii) / relative.norm();

@@ -5,19 +5,33 @@
 //! the fourth roots of the largest (1.8e308) and smallest (2.2e-308) normal number.
 
 use super::{Draft, Findings};
+use crate::model::Table;
 use crate::scenario::schema::Flight;
 use core::fmt::Display;
 
-const LARGEST: f64 = 1e77;
+/// The largest number that a run computes with; times end here too.
+pub const LARGEST: f64 = 1e77;
 const SMALLEST: f64 = 1e-77;
+
+/// How many times its size a table may lie from the origin: farther, the round-off of positions would show.
+const FARTHEST: f64 = 1e6;
+
+/// The least radius beside the table's reach. A smaller ball is not told from a point by the round-off of positions.
+const LEAST_RADIUS: f64 = 1e-12;
 
 /// Notes numbers whose products overflow or vanish.
 pub(super) fn check_magnitudes(draft: &Draft<'_>, findings: &mut Findings) {
     if let Some(table) = draft.table {
-        table.layout(&mut |place, value| {
+        let layout = table.layout(&mut |place, value| {
             check_number(place, value, findings);
             value
         });
+        if findings.is_sound("table") {
+            check_proportions(draft, &layout, findings);
+        }
+    }
+    if let Some(duration) = draft.duration {
+        check_large(&"duration", duration, findings);
     }
     if let Flight::Field { acceleration } = draft.physics.flight {
         check_vector(&"physics.flight.acceleration", acceleration, findings);
@@ -36,6 +50,35 @@ pub(super) fn check_magnitudes(draft: &Draft<'_>, findings: &mut Findings) {
         if let Some(velocity) = ball.velocity {
             check_vector(&format_args!("balls[{index}].velocity"), velocity, findings);
         }
+    }
+}
+
+/// Notes a table too far from the origin for its size, and balls too small for the table.
+fn check_proportions(draft: &Draft<'_>, table: &Table<f64>, findings: &mut Findings) {
+    let (size, reach) = (table.size(), table.reach());
+    if reach > FARTHEST * size {
+        let times = reach / size;
+        findings.add(
+            "table",
+            format!("lies {times:.0e} times its size from the origin, too far for exact positions: at most {FARTHEST:e} times"),
+        );
+    }
+    let least = LEAST_RADIUS * reach;
+    let mut check_radius = |place: &dyn Display, radius: Option<f64>| {
+        if let Some(radius) = radius
+            && radius > 0.0
+            && radius < least
+            && findings.is_sound(place)
+        {
+            findings.add(
+                place,
+                format!("is too small beside the table: write 0 for a point, or at least {least:e}; got {radius:e}"),
+            );
+        }
+    };
+    check_radius(&"ball_defaults.radius", draft.ball_defaults.radius);
+    for (index, ball) in draft.balls() {
+        check_radius(&format_args!("balls[{index}].radius"), ball.radius);
     }
 }
 

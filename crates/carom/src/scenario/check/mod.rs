@@ -12,6 +12,8 @@ mod magnitude;
 mod placement;
 mod stepped;
 
+pub use magnitude::LARGEST;
+
 use super::problem::Findings;
 use super::schema::{Ball, BallDefaults, Method, Physics, Record, Scenario, Table};
 use core::fmt;

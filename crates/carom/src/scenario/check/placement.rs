@@ -19,7 +19,7 @@ struct Disc<'a> {
 /// Notes balls outside the table or in an obstacle, and balls that overlap.
 pub(super) fn check_placement(draft: &Draft<'_>, table: &Table<f64>, findings: &mut Findings) {
     let discs = discs(draft, findings);
-    let tolerance = ContactTolerance::new(table.size());
+    let tolerance = ContactTolerance::new(table);
     let outlines: Vec<(&Outline<f64>, Vec<Piece<f64>>)> = table
         .outlines
         .iter()
