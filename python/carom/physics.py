@@ -84,7 +84,8 @@ class Physics(Section):
     cluster : "reflections" or "pairwise", optional
         How contacts at one instant are resolved.
     collapse : "stop" or "tc", optional
-        What is done when a ball's contacts follow each other without end in a finite time.
+        What is done when a ball's contacts follow each other without end in a finite time: the run stops, or contacts
+        within a very short time t_c lose nothing, so that balls in a field go on hopping and do not come to rest.
 
     Examples
     --------

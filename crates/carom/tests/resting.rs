@@ -243,7 +243,8 @@ fn inelastic_gas_without_a_field_runs_to_its_duration_with_tc() {
 
 #[test]
 fn heaps_in_a_field_end_with_a_status() {
-    // Balls that come to lie on each other are beyond sequences of contacts: such a run says that it collapsed.
+    // Balls that come to lie on each other are beyond sequences of contacts: such a run says that it collapsed; with tc they
+    // hop on.
     let mut seen = std::collections::BTreeSet::new();
     for seed in 0..40 {
         let mut random = Random::new(seed);
@@ -260,8 +261,11 @@ fn heaps_in_a_field_end_with_a_status() {
             let said = &run.diagnostics;
             let scale = said.initial_energy.abs() + balls.iter().map(|b| 2.0 * b.mass).sum::<f64>();
             assert!(said.energy_gain < 1e-14 * scale, "seed {seed}: {said:?}");
-            assert!(said.energy_drift < 1e-12 * scale, "seed {seed}: {said:?}");
-            assert!(run.status != Status::EventLimit || collapse == "tc", "seed {seed}: {said:?}");
+            // The sum of the losses is rounded at each event, always the same way where the same hop returns.
+            let rounding = 1e-12 + f64::EPSILON * said.total_events() as f64;
+            assert!(said.energy_drift < rounding * scale, "seed {seed}: {said:?}");
+            let unexpected = if collapse == "tc" { Status::Collapsed } else { Status::EventLimit };
+            assert!(run.status != unexpected, "seed {seed}: {said:?}");
             seen.insert(run.status.name());
         }
     }

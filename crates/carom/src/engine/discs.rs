@@ -185,25 +185,27 @@ impl<S: Scalar> Discs<S> {
         }
     }
 
-    /// The law between two balls that close at some speed now.
+    /// The law between two balls now.
     #[inline(always)]
-    pub(super) fn ball_law(&self, a: usize, b: usize, speed: S, time: S) -> ball_ball::Restitution<S> {
-        if !self.system.collapse_is_elastic {
-            self.system.ball_ball
-        } else if self.is_in_burst(a, time) || self.is_in_burst(b, time) {
+    pub(super) fn ball_law(&self, a: usize, b: usize, time: S) -> ball_ball::Restitution<S> {
+        if self.is_in_burst(a, time) || self.is_in_burst(b, time) {
             ball_ball::Restitution::ELASTIC
         } else {
-            self.system.ball_ball.keeping(self.kept_speed(a, b), speed)
+            self.system.ball_ball
         }
     }
 
-    /// The speed that two balls in a field must part with for a bounce of about t_c, if the scenario asks for such.
-    pub(super) fn kept_speed(&self, a: usize, b: usize) -> S {
+    /// The speed with which a ball in a field parts from another or from a cushion at least, for a hop of about t_c; zero
+    /// unless the scenario has balls hop on.
+    #[inline(always)]
+    pub(super) fn kept_speed(&self, ball: usize, other: Option<usize>) -> S {
         if !self.system.collapse_is_elastic {
             return S::ZERO;
         }
-        let [a, b] = [a, b].map(|ball| self.system.collapse_times[ball]);
-        (if a < b { a } else { b }) * self.system.field.norm() * S::from_f64(0.5)
+        let times = &self.system.collapse_times;
+        let other = times[other.unwrap_or(ball)];
+        let time = if other < times[ball] { other } else { times[ball] };
+        time * self.system.field.norm() * S::from_f64(0.5)
     }
 
     #[inline(always)]

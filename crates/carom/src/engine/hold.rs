@@ -8,7 +8,7 @@ use crate::run::{Event, Kind, Observer};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Discs<S> {
-    /// Holds a ball on those of the cushions it touches from which its next bounce would last less than t_c: its normal
+    /// Holds a ball on those of the cushions it touches from which its next bounce would be too short: its normal
     /// velocity becomes zero and its acceleration the projection on the cushion. Says whether any holds it; the log has a
     /// row for each that did not before.
     pub(super) fn settle(
@@ -93,12 +93,19 @@ impl<S: Scalar> Discs<S> {
         hardest.map(|(cushion, line, _)| (cushion, line))
     }
 
-    /// Whether a ball's next bounce on a cushion, at which it moves or from which it parts, would last under t_c.
+    /// Whether a ball's next bounce on a cushion, at which it moves or from which it parts, would be too short.
     fn is_short(&self, ball: usize, flight: &Flight<S>, line: &Line<S>) -> bool {
         let pull = -line.normal.dot(flight.acceleration);
         let speed = line.normal.dot(flight.velocity).abs();
         let threshold = closing_threshold(flight.velocity, Vec2::ZERO);
-        speed * S::from_f64(2.0) <= self.system.collapse_times[ball] * pull + threshold
+        speed * S::from_f64(2.0) <= self.longest_held(ball) * pull + threshold
+    }
+
+    /// Bounces up to this duration are not followed: t_c. Where balls hop on through a collapse it is a hundredth of t_c, as
+    /// they would lose the energy of each hop that ends in a hold, and a heap hops for as long as it has any.
+    fn longest_held(&self, ball: usize) -> S {
+        let time = self.system.collapse_times[ball];
+        if self.system.collapse_is_elastic { time * S::from_f64(0.01) } else { time }
     }
 
     /// The greatest speed at which a ball moves at a cushion that it touches and that does not hold it, zero if at none; none

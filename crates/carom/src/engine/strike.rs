@@ -12,6 +12,7 @@ use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::ball_ball::Pair;
 use crate::law::ball_cushion::Rebound;
+use crate::law::restitution_keeping;
 use crate::model::{Disc, closing_threshold};
 use crate::run::{Event, Kind, Observer};
 use crate::scalar::Scalar;
@@ -76,7 +77,10 @@ impl<S: Scalar> Discs<S> {
         let before = self.state_after(&self.balls[ball].flight, offset);
         let face = &self.system.faces.all[cushion as usize];
         let (normal, normal_scale) = face.normal_at(before.position);
-        let rebound = self.cushion_law(ball, cushion, time).rebound(before.velocity, normal, normal_scale);
+        let mut law = self.cushion_law(ball, cushion, time);
+        let closing_speed = -before.velocity.dot(normal);
+        law.normal = restitution_keeping(law.normal, self.kept_speed(ball, None), closing_speed);
+        let rebound = law.rebound(before.velocity, normal, normal_scale);
         let (mass, point) = (self.balls[ball].disc.mass, face.foot(before.position));
         Bounce { ball, cushion, time, mass, before, point, normal, normal_scale, rebound }
     }
@@ -163,7 +167,9 @@ impl<S: Scalar> Discs<S> {
         });
         let separation = before[1].position - before[0].position;
         let pair = Pair::new([&a.disc, &b.disc], separation, before.map(|state| state.velocity));
-        let law = self.ball_law(balls[0], balls[1], pair.closing_speed, time);
+        let mut law = self.ball_law(balls[0], balls[1], time);
+        let kept_speed = self.kept_speed(balls[0], Some(balls[1]));
+        law.normal = restitution_keeping(law.normal, kept_speed, pair.closing_speed);
         Collision {
             balls,
             time,

@@ -4,6 +4,7 @@ use super::{Contact, Member, is_same_direction};
 use crate::engine::Discs;
 use crate::geometry::Vec2;
 use crate::law::cluster::Body;
+use crate::law::restitution_keeping;
 use crate::run::Event;
 use crate::scalar::Scalar;
 
@@ -31,6 +32,8 @@ impl<S: Scalar> Discs<S> {
             let contact = &contacts[place];
             let Some(cushion) = contact.cushion else { return events };
             let mut law = self.cushion_law(member.ball, cushion, time);
+            let speed = body.velocity.dot(contact.normal);
+            law.normal = restitution_keeping(law.normal, self.kept_speed(member.ball, None), speed);
             if contacts.iter().any(|c| is_same_direction(c.normal, -contact.normal)) {
                 law.normal = S::ZERO;
             }

@@ -49,17 +49,14 @@ impl<S: Scalar> Discs<S> {
     /// What the law has to know of a contact.
     fn touch(&self, contact: &Contact<S>, members: &[Member<S>], time: S) -> Touch<S> {
         let (first, second) = contact.members;
-        let member = &members[first];
-        let mut touch = Touch::new(first, second, contact.normal, S::ONE);
-        if let Some(second) = second {
-            let other = members[second].ball;
-            touch.restitution = self.ball_law(member.ball, other, S::ZERO, time).normal;
-            touch.kept_speed = self.kept_speed(member.ball, other);
-        } else if let Some(cushion) = contact.cushion {
-            touch.restitution = self.cushion_law(member.ball, cushion, time).normal;
-            touch.is_held = self.system.collapse_is_elastic && member.held_by.contains(&Some(cushion));
-        }
-        touch
+        let (ball, other) = (members[first].ball, second.map(|second| members[second].ball));
+        let restitution = match (other, contact.cushion) {
+            (Some(other), _) => self.ball_law(ball, other, time).normal,
+            (None, Some(cushion)) => self.cushion_law(ball, cushion, time).normal,
+            (None, None) => S::ONE,
+        };
+        let kept_speed = self.kept_speed(ball, other);
+        Touch { kept_speed, ..Touch::new(first, second, contact.normal, restitution) }
     }
 
     /// Applies the tangential factors of the cushions that were hit; says whether any velocity changed.

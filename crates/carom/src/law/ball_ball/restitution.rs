@@ -33,12 +33,6 @@ impl<S: Scalar> Restitution<S> {
     /// The law without loss.
     pub const ELASTIC: Self = Self { normal: S::ONE };
 
-    /// The law for a contact that closes at `speed` and is to part with `kept` at least, or with as much as it closes with.
-    pub fn keeping(&self, kept: S, speed: S) -> Self {
-        let least = if speed > kept { kept / speed } else { S::ONE };
-        if kept > S::ZERO && least > self.normal { Self { normal: least } } else { *self }
-    }
-
     /// The normal impulse J.
     pub fn impulse(&self, pair: &Pair<S>) -> S {
         (S::ONE + self.normal) * pair.reduced_mass * pair.closing_speed

@@ -4,7 +4,6 @@
 //! of their place, never of their numbers, so that a renumbering changes no bit.
 
 mod complementarity;
-mod held;
 mod pairwise;
 mod reflections;
 
@@ -12,7 +11,7 @@ pub use pairwise::resolve_pairwise;
 pub use reflections::resolve_reflections;
 
 use crate::geometry::Vec2;
-use crate::law::ball_ball::Restitution;
+use crate::law::restitution_keeping;
 use crate::scalar::Scalar;
 
 /// A ball in a cluster.
@@ -39,8 +38,6 @@ pub struct Touch<S> {
     pub restitution: S,
     /// Closing speeds up to this are given back in full, faster ones at least that far.
     pub kept_speed: S,
-    /// Whether this is a cushion that holds the ball, and goes on to do so.
-    pub is_held: bool,
     /// Normal impulse received so far.
     pub impulse: S,
     /// Closing speed when the contact first closed; zero if it never did.
@@ -92,16 +89,7 @@ fn size<S: Scalar>(velocity: Vec2<S>) -> S {
 impl<S: Scalar> Touch<S> {
     /// A contact that has received nothing yet.
     pub fn new(a: usize, b: Option<usize>, normal: Vec2<S>, restitution: S) -> Self {
-        Self {
-            a,
-            b,
-            normal,
-            restitution,
-            kept_speed: S::ZERO,
-            is_held: false,
-            impulse: S::ZERO,
-            closing_speed: S::ZERO,
-        }
+        Self { a, b, normal, restitution, kept_speed: S::ZERO, impulse: S::ZERO, closing_speed: S::ZERO }
     }
 
     /// The speed at which the gap opens (negative while closing).
@@ -111,21 +99,13 @@ impl<S: Scalar> Touch<S> {
 
     /// The restitution of the contact as it closes now.
     fn restitution_now(&self, bodies: &[Body<S>]) -> S {
-        Restitution { normal: self.restitution }.keeping(self.kept_speed, -self.gap_rate(bodies)).normal
+        restitution_keeping(self.restitution, self.kept_speed, -self.gap_rate(bodies))
     }
 
     /// Whether the gap closes, beyond the round-off of the velocities.
     fn is_closing(&self, bodies: &[Body<S>]) -> bool {
-        self.gap_rate(bodies) < -self.threshold(bodies)
-    }
-
-    /// Whether the gap opens, beyond the round-off of the velocities.
-    fn is_opening(&self, bodies: &[Body<S>]) -> bool {
-        self.gap_rate(bodies) > self.threshold(bodies)
-    }
-
-    fn threshold(&self, bodies: &[Body<S>]) -> S {
-        bodies[self.a].threshold() + self.b.map_or(S::ZERO, |b| bodies[b].threshold())
+        let threshold = bodies[self.a].threshold() + self.b.map_or(S::ZERO, |b| bodies[b].threshold());
+        self.gap_rate(bodies) < -threshold
     }
 
     fn velocity_b(&self, bodies: &[Body<S>]) -> Vec2<S> {

@@ -12,47 +12,24 @@
 //! of Vouga et al., ACM TOG 36 (2017) 151. *Departs from source*: restitution per contact, energy guard, last pass.
 
 use super::complementarity::solve_complementarity;
-use super::held::{hold_bouncing, pulls};
 use super::{Body, PASSES_PER_BALL, Passes, Touch, closing_touches};
 use crate::scalar::Scalar;
 
 /// Resolves all contacts until none closes.
 pub fn resolve_reflections<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<S>]) -> Passes {
-    let pulls = pulls(bodies, touches);
-    if pulls.is_empty() {
-        return resolve_all(bodies, touches);
-    }
-    let mut all = [touches as &[Touch<S>], &pulls].concat();
-    let passes = resolve_all(bodies, &mut all);
-    touches.copy_from_slice(&all[..touches.len()]);
-    passes
-}
-
-fn resolve_all<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<S>]) -> Passes {
     let limit = PASSES_PER_BALL * bodies.len();
     for count in 0..limit {
         let closing = closing_touches(touches, bodies);
         if closing.is_empty() {
             return Passes { count: count as u32, forced: false };
         }
-        for &k in &closing {
-            let speed = -touches[k].gap_rate(bodies);
-            touches[k].note_closing(speed);
-        }
-        reflect(bodies, touches, &pushing_touches(touches, bodies));
+        reflect(bodies, touches, &closing);
     }
     if closing_touches(touches, bodies).is_empty() {
         return Passes { count: limit as u32, forced: false };
     }
     force_open(bodies, touches);
     Passes { count: limit as u32 + 1, forced: true }
-}
-
-/// The indices of the contacts that close, and of the held ones that do not open.
-fn pushing_touches<S: Scalar>(touches: &[Touch<S>], bodies: &[Body<S>]) -> Vec<usize> {
-    let is_pushing =
-        |touch: &Touch<S>| touch.is_closing(bodies) || (touch.is_held && !touch.is_opening(bodies));
-    (0..touches.len()).filter(|&k| is_pushing(&touches[k])).collect()
 }
 
 /// Stops the closing of every contact, without restitution.
@@ -64,13 +41,16 @@ pub(super) fn force_open<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch
     }
 }
 
-fn reflect<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<S>], pushing: &[usize]) {
-    let stopping = stopping_impulses(bodies, touches, pushing);
-    let mut bouncing: Vec<S> =
-        pushing.iter().zip(&stopping).map(|(&k, &s)| s * touches[k].restitution_now(bodies)).collect();
-    hold_bouncing(bodies, touches, pushing, &mut bouncing);
-    let share = bounce_share(bodies, touches, pushing, &stopping, &bouncing);
-    for ((&k, &stop), &bounce) in pushing.iter().zip(&stopping).zip(&bouncing) {
+fn reflect<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<S>], closing: &[usize]) {
+    for &k in closing {
+        let speed = -touches[k].gap_rate(bodies);
+        touches[k].note_closing(speed);
+    }
+    let stopping = stopping_impulses(bodies, touches, closing);
+    let bouncing: Vec<S> =
+        closing.iter().zip(&stopping).map(|(&k, &s)| s * touches[k].restitution_now(bodies)).collect();
+    let share = bounce_share(bodies, touches, closing, &stopping, &bouncing);
+    for ((&k, &stop), &bounce) in closing.iter().zip(&stopping).zip(&bouncing) {
         touches[k].apply(stop + bounce * share, bodies);
     }
 }
@@ -115,7 +95,7 @@ fn stopping_impulses<S: Scalar>(bodies: &[Body<S>], touches: &[Touch<S>], chosen
 }
 
 /// How much a unit impulse in contact `l` changes the gap rate of contact `k`.
-pub(super) fn coupling<S: Scalar>(bodies: &[Body<S>], k: &Touch<S>, l: &Touch<S>) -> S {
+fn coupling<S: Scalar>(bodies: &[Body<S>], k: &Touch<S>, l: &Touch<S>) -> S {
     let mut sum = S::ZERO;
     for (body, sign_k) in ends(k) {
         for (other, sign_l) in ends(l) {

@@ -120,7 +120,9 @@ pub enum Collapse {
     /// The run ends with the status `collapsed`.
     #[default]
     Stop,
-    /// Contacts that follow a ball's last one within a very short time are elastic.
+    /// Contacts less than t_c after a ball's last one lose nothing, and in a field balls part from each other and from
+    /// cushions with a hop of about t_c at least: so they go on hopping, with hops too small to see, and do not come to
+    /// rest. t_c is `1e-3 √(2r/|a|)` in a field a, `1e-6 r` over the greatest speed at the start without.
     Tc,
 }
 
