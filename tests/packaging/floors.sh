@@ -4,6 +4,10 @@ set -eu
 python=$1
 dist=$(realpath "$2")
 tests=$(realpath "$(dirname "$0")/..")
+"$python" -c 'import ensurepip, venv' || {
+    echo "floors: $python does not run; name a Python 3.10 with make floors FLOOR_PYTHON=/path/to/python3.10" >&2
+    exit 1
+}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$python" -m venv "$work/environment"

@@ -22,13 +22,10 @@ const LEAST_RADIUS: f64 = 1e-12;
 /// Notes numbers whose products overflow or vanish.
 pub(super) fn check_magnitudes(draft: &Draft<'_>, findings: &mut Findings) {
     if let Some(table) = draft.table {
-        let layout = table.layout(&mut |place, value| {
+        table.layout(&mut |place, value| {
             check_number(place, value, findings);
             value
         });
-        if findings.is_sound("table") {
-            check_proportions(draft, &layout, findings);
-        }
     }
     if let Some(duration) = draft.duration {
         check_large(&"duration", duration, findings);
@@ -54,7 +51,7 @@ pub(super) fn check_magnitudes(draft: &Draft<'_>, findings: &mut Findings) {
 }
 
 /// Notes a table too far from the origin for its size, and balls too small for the table.
-fn check_proportions(draft: &Draft<'_>, table: &Table<f64>, findings: &mut Findings) {
+pub(super) fn check_proportions(draft: &Draft<'_>, table: &Table<f64>, findings: &mut Findings) {
     let (size, reach) = (table.size(), table.reach());
     if reach > FARTHEST * size {
         let times = reach / size;

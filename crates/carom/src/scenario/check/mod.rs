@@ -61,6 +61,9 @@ pub(crate) fn check(draft: &Draft<'_>, findings: &mut Findings) {
         laws::check_laws(draft.physics, table, findings);
         boundary::check_boundary(written, table, findings);
         if findings.is_sound("table") {
+            magnitude::check_proportions(draft, table, findings);
+        }
+        if findings.is_sound("table") {
             placement::check_placement(draft, table, findings);
         }
     }

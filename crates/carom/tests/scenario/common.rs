@@ -1,5 +1,4 @@
 //! What the tests of scenarios share.
-#![allow(dead_code)]
 
 use carom::scenario::Scenario;
 

@@ -1,21 +1,12 @@
 //! Balls come to rest, lie on cushions, slide, roll off edges, start in contact and lean on each other: whatever they do,
 //! the run ends, with a status that says why.
-#![allow(
-    clippy::disallowed_methods,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::print_stdout
-)]
 
-mod kit;
-
+use crate::kit::random::Random;
+use crate::kit::scenes::{Ball, ball, polygon, random_balls, rectangle, scenario, sides, tables};
 use carom::flight::State;
 use carom::run::{Kind, Run, Status};
 use carom::scenario::Scenario;
 use carom::simulate::simulate;
-use kit::random::Random;
-use kit::scenes::{Ball, ball, polygon, random_balls, rectangle, scenario, sides, tables};
 use serde_json::{Value, json};
 
 /// The run of some balls, up to a duration if any.

@@ -1,10 +1,7 @@
 //! Single values are got and set by their paths, and nothing that is set escapes the check.
-#![allow(clippy::expect_used, clippy::unwrap_used)]
 
-mod common;
-
+use crate::common::MIDTERM;
 use carom::scenario::Scenario;
-use common::MIDTERM;
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
@@ -141,9 +138,9 @@ fn junk() -> impl Strategy<Value = Value> {
 
 const FILES: [&str; 4] = [
     MIDTERM,
-    include_str!("../../../scenarios/pinball.toml"),
-    include_str!("../../../scenarios/mushroom.toml"),
-    include_str!("../../../scenarios/midterm_stepped.toml"),
+    include_str!("../../../../scenarios/pinball.toml"),
+    include_str!("../../../../scenarios/mushroom.toml"),
+    include_str!("../../../../scenarios/midterm_stepped.toml"),
 ];
 
 proptest! {

@@ -1,13 +1,10 @@
 //! Motions and collisions whose answers can be written down.
-#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod kit;
-
+use crate::kit::scenes::{Ball, ball, l_shape, rectangle, scenario};
 use carom::flight::State;
 use carom::geometry::Vec2;
 use carom::run::{Event, Kind, Run};
 use carom::simulate::simulate;
-use kit::scenes::{Ball, ball, l_shape, rectangle, scenario};
 use serde_json::{Value, json};
 
 /// A run of that duration.

@@ -1,23 +1,14 @@
 //! A run does not depend on numbers and units: renumbering gives the same bits, powers of two give the same bits scaled,
 //! and mirrors, other units and the reversal of time give the same motion up to round-off and its growth.
-#![allow(
-    clippy::disallowed_methods,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::print_stdout
-)]
 
-mod kit;
-
+use crate::kit::random::Random;
+use crate::kit::scenes::{Ball, ball, polygon, rack, random_balls, rectangle, scenario, tables};
+use crate::kit::{bits, bundled, scenario_files};
 use carom::flight::State;
 use carom::run::{Event, Run, Status};
 use carom::scenario::Scenario;
 use carom::scenario::schema::Table;
 use carom::simulate::simulate;
-use kit::random::Random;
-use kit::scenes::{Ball, ball, polygon, rack, random_balls, rectangle, scenario, tables};
-use kit::{bits, bundled, scenario_files};
 use serde_json::{Value, json};
 
 /// A scenario as JSON in which every piece and obstacle has a name of its own, so that it may be moved.

@@ -1,14 +1,11 @@
 //! Every run ends, and says why.
-#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod kit;
-
+use crate::kit::random::Random;
+use crate::kit::scenes::{Ball, ball, random_balls, rectangle};
 use carom::flight::State;
 use carom::run::{Event, Kind, Run, Status};
 use carom::scenario::Scenario;
 use carom::simulate::{simulate, simulate_until};
-use kit::random::Random;
-use kit::scenes::{Ball, ball, random_balls, rectangle};
 use serde_json::{Value, json};
 
 /// A scenario with these limits: the fields `duration`, `collisions`, `max_events`.

@@ -1,17 +1,14 @@
 //! A run in pieces is the run at once, to the last bit: resumed from a file, step by step, up to times, after a reset; and
 //! a saved run is verified by running it again.
-#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod kit;
-
+use crate::kit::random::Random;
+use crate::kit::scenes::{Ball, ball, random_balls, rectangle, scenario, tables};
+use crate::kit::{assert_same_events, assert_same_run, bits, bundled, scenario_files};
 use carom::engine::Simulation;
 use carom::run::{Event, Kind, Log, Nothing, PHYSICS_VERSION, QueryError, Run, Status, from_json, to_json};
 use carom::scenario::schema::Record;
 use carom::scenario::{Scenario, System};
 use carom::simulate::{Difference, limits_of, log_of, resume, simulate, simulate_until, verify};
-use kit::random::Random;
-use kit::scenes::{Ball, ball, random_balls, rectangle, scenario, tables};
-use kit::{assert_same_events, assert_same_run, bits, scenario_files};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
@@ -289,7 +286,7 @@ fn a_run_stopped_at_one_of_several_events_at_a_time_verifies() {
 
 #[test]
 fn a_stepped_run_keeps_what_it_is_told_to() {
-    let mut scenario = kit::bundled("midterm_stepped");
+    let mut scenario = bundled("midterm_stepped");
     let whole = run(&scenario);
     let steps = whole.steps.clone().unwrap();
     assert_eq!(steps.steps.len() as u64, steps.count + 1);
@@ -310,7 +307,7 @@ fn a_stepped_run_keeps_what_it_is_told_to() {
 
 #[test]
 fn a_saved_run_keeps_the_version_of_the_physics_that_made_it() {
-    let scenario = kit::bundled("midterm");
+    let scenario = bundled("midterm");
     let text = to_json(&scenario, &run(&scenario)).unwrap();
     let mut older: Value = serde_json::from_str(&text).unwrap();
     assert_eq!(older["physics_version"], PHYSICS_VERSION);
@@ -338,7 +335,7 @@ fn tampered(text: &str, path: &str) -> String {
 #[test]
 fn a_single_wrong_bit_is_found_and_named() {
     for name in ["midterm", "newtons_cradle", "tilted", "u_divider"] {
-        let scenario = kit::bundled(name);
+        let scenario = bundled(name);
         let text = to_json(&scenario, &run(&scenario)).unwrap();
         for (path, place) in [
             ("/events/time/3", "events[3].time"),
@@ -361,7 +358,7 @@ fn a_single_wrong_bit_is_found_and_named() {
         let (read, saved) = from_json(&value.to_string()).unwrap();
         assert_eq!(verified(&read, &saved).unwrap().place, "status", "{name}");
     }
-    let scenario = kit::bundled("midterm_stepped");
+    let scenario = bundled("midterm_stepped");
     let text = to_json(&scenario, &run(&scenario)).unwrap();
     let (read, saved) = from_json(&tampered(&text, "/steps/state/17/0/1")).unwrap();
     assert_eq!(verified(&read, &saved).unwrap().place, "steps[17]");

@@ -1,5 +1,4 @@
 //! What the tests of the engine share: a random generator, tables and scenarios, and measurements of their own.
-#![allow(dead_code, clippy::expect_used, clippy::unwrap_used, clippy::panic)]
 
 pub mod random;
 pub mod room;

@@ -1,22 +1,13 @@
 //! Over a million events on tables of every kind: nothing overlaps, nobody leaves, energy and momentum are kept, and what
 //! a run says about itself is what the tests find by their own means.
-#![allow(
-    clippy::disallowed_methods,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::print_stdout
-)]
 
-mod kit;
-
+use crate::kit::random::Random;
+use crate::kit::room::Room;
+use crate::kit::scenes::{Ball, ball, random_balls, rectangle, scenario, tables};
+use crate::kit::start_endless as start;
 use carom::engine::Simulation;
 use carom::flight::State;
 use carom::run::{Event, Log, Nothing};
-use kit::random::Random;
-use kit::room::Room;
-use kit::scenes::{Ball, ball, random_balls, rectangle, scenario, tables};
-use kit::start_endless as start;
 use serde_json::{Value, json};
 
 /// What is measured at the event times of a run, from the states alone.

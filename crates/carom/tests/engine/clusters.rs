@@ -1,16 +1,12 @@
 //! Several contacts at one instant: what a cluster gives is exact where a closed form is known, symmetric, independent of
 //! the order of the balls, and never gains energy.
 
-#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod kit;
-
+use crate::kit::scenes::{Ball, ball, rectangle, scenario};
+use crate::kit::{bits, bundled, start};
 use carom::flight::State;
 use carom::run::{Nothing, Run, Status};
 use carom::scenario::Scenario;
 use carom::simulate::simulate;
-use kit::scenes::{Ball, ball, rectangle, scenario};
-use kit::{bits, bundled, start};
 use serde_json::{Value, json};
 
 fn run_for(mut scenario: Scenario, duration: f64) -> Run<f64> {

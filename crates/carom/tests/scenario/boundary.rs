@@ -1,8 +1,6 @@
 //! Problems of boundaries and obstacles.
 
-mod common;
-
-use common::{on_table, with_obstacles};
+use crate::common::{on_table, with_obstacles};
 
 fn path(pieces: &str) -> Vec<String> {
     on_table(&format!("shape = 'path'\npieces = [{pieces}]"))

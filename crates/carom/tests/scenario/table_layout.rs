@@ -1,5 +1,4 @@
 //! Tables become cushions and corners with the right names, places and directions.
-#![allow(clippy::unwrap_used)]
 
 use carom::geometry::{Piece, Vec2};
 use carom::model::{OutlineKind, Table};
@@ -121,7 +120,7 @@ fn line_ends_are_moved_onto_their_neighbours() {
 
 #[test]
 fn every_number_of_a_scenario_enters_with_its_place() {
-    let scenario = Scenario::from_toml(include_str!("../../../scenarios/pinball.toml")).unwrap();
+    let scenario = Scenario::from_toml(include_str!("../../../../scenarios/pinball.toml")).unwrap();
     let mut places = Vec::new();
     let mut note = |place: &dyn Display, value: f64| {
         places.push((place.to_string(), value));
@@ -150,7 +149,7 @@ fn speed_and_direction_make_a_velocity() {
 
 #[test]
 fn one_number_can_enter_as_the_variable_of_a_derivative() {
-    let scenario = Scenario::from_toml(include_str!("../../../scenarios/midterm.toml")).unwrap();
+    let scenario = Scenario::from_toml(include_str!("../../../../scenarios/midterm.toml")).unwrap();
     let variable = scenario.place("ball_defaults.radius").unwrap();
     let mut number = |place: &dyn Display, value: f64| {
         if place.to_string() == variable { Dual::<1>::variable(value, 0) } else { Dual::from_f64(value) }

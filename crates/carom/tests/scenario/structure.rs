@@ -1,10 +1,7 @@
 //! Keys, types and ranges: every departure from the schema is reported at its place.
-#![allow(clippy::unwrap_used)]
 
-mod common;
-
+use crate::common::{MIDTERM, broken, on_table, problems, with_obstacles};
 use carom::scenario::{Scenario, json_schema};
-use common::{MIDTERM, broken, problems};
 
 #[test]
 fn an_empty_text_is_said_to_be_empty() {
@@ -128,14 +125,14 @@ fn pieces_and_obstacles_are_told_apart_by_their_keys() {
     let pieces = "shape = 'path'\npieces = [{ lin = [[0, 0], [1, 0]] }, \
                   { line = [[1, 0], [1, 1]], arc = { center = [0, 0], radius = 1, from_deg = 0, to_deg = 3 } }]";
     assert_eq!(
-        common::on_table(pieces),
+        on_table(pieces),
         [
             "table.pieces[0]: needs one of the keys line, arc; did you mean line instead of lin?",
             "table.pieces[1]: has line and arc: give only one of them",
         ]
     );
     assert_eq!(
-        common::with_obstacles("{ circl = { center = [0.8, 0.8], radius = 0.1 } }"),
+        with_obstacles("{ circl = { center = [0.8, 0.8], radius = 0.1 } }"),
         [
             "table.obstacles[0]: needs one of the keys circle, path, wall; did you mean circle instead of circl?"
         ]

@@ -1,13 +1,9 @@
 //! Far, small, slow and late: where numbers run out, a run still says what is so, or the scenario is refused.
-#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod kit;
-
+use crate::kit::scenes::{Ball, ball, rectangle, scenario, try_scenario};
+use crate::kit::{bundled, start};
 use carom::run::{Kind, Status};
 use carom::scenario::Scenario;
 use carom::simulate::simulate;
-use kit::scenes::{Ball, ball, rectangle, scenario, try_scenario};
-use kit::{bundled, start};
 use serde_json::{Value, json};
 
 /// A unit square whose lower left corner is at (x, x).

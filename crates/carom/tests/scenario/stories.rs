@@ -1,8 +1,5 @@
 //! What the descriptions of the scenario files claim is what happens.
 
-#![allow(clippy::disallowed_methods)]
-#![allow(clippy::unwrap_used)]
-
 use carom::flight::State;
 use carom::run::{Run, Status};
 use carom::scenario::Scenario;

@@ -1,7 +1,5 @@
 //! The course exercise, in every kind of number and by both methods, against computations made elsewhere.
 
-#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
 use carom::engine::{Limits, Simulation};
 use carom::flight::State;
 use carom::run::{Event, Kind, Log, Run, Status};
@@ -13,12 +11,12 @@ use serde_json::Value;
 use std::sync::Arc;
 
 fn midterm() -> Scenario {
-    Scenario::from_toml(include_str!("../../../scenarios/midterm.toml")).unwrap()
+    Scenario::from_toml(include_str!("../../../../scenarios/midterm.toml")).unwrap()
 }
 
 /// The exact motion in 50 digits, by `tests/oracle/exact.py`.
 fn reference() -> Value {
-    serde_json::from_str(include_str!("../../../tests/oracle/midterm_reference.json")).unwrap()
+    serde_json::from_str(include_str!("../../../../tests/oracle/midterm_reference.json")).unwrap()
 }
 
 /// Runs a system for the exercise's five seconds.
@@ -203,7 +201,7 @@ fn stepped_hits_come_where_the_scheme_puts_them() {
 
 #[test]
 fn every_reading_of_the_scheme_agrees_with_a_program_written_elsewhere() {
-    let text = include_str!("../../../tests/oracle/stepped_readings.json");
+    let text = include_str!("../../../../tests/oracle/stepped_readings.json");
     let readings: Value = serde_json::from_str(text).unwrap();
     for entry in readings["readings"].as_array().unwrap() {
         let mut method = entry["reading"].clone();

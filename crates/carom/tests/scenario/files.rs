@@ -1,5 +1,4 @@
 //! The scenarios that come with carom are right, and keep their meaning when they are written and read again.
-#![allow(clippy::expect_used, clippy::unwrap_used, clippy::panic)]
 
 use carom::scenario::Scenario;
 use std::path::PathBuf;

@@ -1,12 +1,9 @@
 //! What the fixed-step method says of itself is what happens between its steps.
-#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod kit;
-
+use crate::kit::random::Random;
+use crate::kit::scenes::{Ball, ball, random_balls, rectangle, scenario};
 use carom::run::Run;
 use carom::simulate::simulate;
-use kit::random::Random;
-use kit::scenes::{Ball, ball, random_balls, rectangle, scenario};
 use serde_json::{Value, json};
 
 fn stepped(balls: &[Ball], method: &Value, duration: f64) -> Run<f64> {

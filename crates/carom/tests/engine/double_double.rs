@@ -1,8 +1,5 @@
 //! Double-double arithmetic against exact rational arithmetic.
 
-#![allow(clippy::disallowed_methods)]
-#![allow(clippy::unwrap_used)]
-
 use carom::scalar::{DoubleDouble, Scalar};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};

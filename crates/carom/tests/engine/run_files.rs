@@ -1,14 +1,12 @@
 //! What is wrong with a text that is no saved run is said with its place.
-#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod kit;
-
+use crate::kit::bundled;
 use carom::run::{from_json, to_json};
 use carom::simulate::simulate;
 
 /// What is said about the saved run of the exercise with `old` replaced by `new` where it stands first.
 fn complaint(old: &str, new: &str) -> String {
-    let scenario = kit::bundled("midterm");
+    let scenario = bundled("midterm");
     let text = to_json(&scenario, &simulate(&scenario).unwrap()).unwrap();
     assert!(text.contains(old), "{old}");
     complaint_about(&text.replacen(old, new, 1))

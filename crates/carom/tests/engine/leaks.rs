@@ -1,18 +1,15 @@
 //! Nothing passes a wall: thin dividers, joints between pieces, and tables of any size.
-#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod kit;
-
+use crate::kit::random::Random;
+use crate::kit::room::Room;
+use crate::kit::scenes::{ball, mushroom, polygon, random_balls, rectangle, scenario, stadium};
+use crate::kit::{bundled, start_endless};
 use carom::engine::Simulation;
 use carom::flight::Flight;
 use carom::flight::State;
 use carom::geometry::Vec2;
 use carom::run::{Event, Log, Nothing, Observer};
 use carom::scenario::Scenario;
-use kit::random::Random;
-use kit::room::Room;
-use kit::scenes::{ball, mushroom, polygon, random_balls, rectangle, scenario, stadium};
-use kit::{bundled, start_endless};
 use serde_json::{Value, json};
 
 /// Watches that no ball's straight path from flight to flight crosses a thin wall.

@@ -1,14 +1,11 @@
 //! Heaps of touching balls struck by another: momentum is kept, energy never gained, and nothing closes any more.
-#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod kit;
-
+use crate::kit::random::Random;
+use crate::kit::scenes::{Ball, ball, rack, random_balls, rectangle, scenario};
+use crate::kit::{start, start_endless};
 use carom::flight::State;
 use carom::run::{Event, Log, Nothing, Run, Status};
 use carom::simulate::simulate;
-use kit::random::Random;
-use kit::scenes::{Ball, ball, rack, random_balls, rectangle, scenario};
-use kit::{start, start_endless};
 use serde_json::{Value, json};
 
 /// The run of some balls up to a time.

@@ -1,14 +1,11 @@
 //! Corners: each cushion acts in turn, so an elastic ball comes out of the narrowest with all its speed, and one that can
 //! never leave rests there.
-#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod kit;
-
+use crate::kit::scenes::{Ball, ball, polygon, rectangle, scenario};
+use crate::kit::start_endless;
 use carom::flight::State;
 use carom::run::{Nothing, Run, Status};
 use carom::simulate::simulate;
-use kit::scenes::{Ball, ball, polygon, rectangle, scenario};
-use kit::start_endless;
 use serde_json::{Value, json};
 
 /// The run of some balls up to a time.

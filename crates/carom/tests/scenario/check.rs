@@ -1,8 +1,6 @@
 //! Problems that no single number shows: balls, laws, endings, the stepped method.
 
-mod common;
-
-use common::{MIDTERM, broken, problems, with_obstacles};
+use crate::common::{MIDTERM, broken, problems, with_obstacles};
 
 #[test]
 fn all_problems_are_reported_at_once() {

@@ -1,0 +1,27 @@
+//! What the engine computes: one binary for all of it, since each binary compiles the generic engine anew.
+
+#![allow(
+    clippy::disallowed_methods,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stdout
+)]
+
+mod closed_forms;
+mod clusters;
+mod conservation;
+mod continuation;
+mod corners;
+mod double_double;
+mod dual;
+mod extremes;
+mod heaps;
+mod kit;
+mod leaks;
+mod midterm;
+mod resting;
+mod run_files;
+mod stepped;
+mod symmetry;
+mod termination;

@@ -1,0 +1,12 @@
+//! The text format of scenarios: its checking, its values, the table it lays out, and the files that come with carom.
+
+#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod boundary;
+mod check;
+mod common;
+mod files;
+mod stories;
+mod structure;
+mod table_layout;
+mod values;
