@@ -1,14 +1,18 @@
 """The command line: what it prints, writes, refuses, and with which exit code."""
 
 import csv
+import errno
 import io
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
+from collections.abc import Iterator
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
@@ -160,6 +164,76 @@ def test_overwriting_leaves_no_old_results_and_keeps_other_files(tmp_path: Path)
     fine("run", "midterm", "--out", out, "--no-animation", "--no-figures", "--overwrite")
     assert names_in(out) == RUN_FILES | {"notes.txt"}
     assert names_in(tmp_path) == {"out"}
+
+
+@pytest.fixture
+def other_disk() -> Iterator[Path]:
+    """Give a folder on another file system than that of temporary files."""
+    try:
+        folder = Path(tempfile.mkdtemp(dir="/dev/shm"))
+    except OSError:
+        pytest.skip("no second file system here")
+    yield folder
+    shutil.rmtree(folder)
+
+
+def test_a_link_to_another_file_system_is_written_through(tmp_path: Path, other_disk: Path) -> None:
+    link = tmp_path / "link"
+    link.symlink_to(other_disk)
+    options = ("run", "midterm", "--out", link, "--no-animation", "--no-figures")
+    fine(*options, "--dt", "0.03")
+    fine(*options, "--overwrite")
+    assert link.is_symlink()
+    assert names_in(other_disk) == RUN_FILES
+    assert carom.load_run(link / "run.json").steps is None
+    assert names_in(tmp_path) == {"link"}
+
+
+def test_a_link_to_a_folder_yet_to_be_made_is_written_through(tmp_path: Path) -> None:
+    (tmp_path / "link").symlink_to(tmp_path / "deep" / "out")
+    fine("run", "midterm", "--out", tmp_path / "link", "--no-animation", "--no-figures")
+    assert names_in(tmp_path / "deep" / "out") == RUN_FILES
+    assert names_in(tmp_path) == {"link", "deep"}
+
+
+def test_files_that_cannot_be_moved_leave_the_old_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    out = tmp_path / "out"
+    options = ("run", "midterm", "--out", out, "--no-animation", "--no-figures")
+    fine(*options, "--dt", "0.03")
+    before = {name: (out / name).read_bytes() for name in names_in(out)}
+
+    def refuse(*_: object) -> None:
+        raise PermissionError(errno.EACCES, "no", str(out))
+
+    monkeypatch.setattr("carom.cli.folder._move_all", refuse)
+    assert shell(*options, "--overwrite").code == 1
+    assert {name: (out / name).read_bytes() for name in names_in(out)} == before
+    monkeypatch.undo()
+    (out / "paths.png").mkdir()
+    done = shell(*options, "--overwrite")
+    assert (done.code, done.stderr) == (
+        1,
+        f"error: --out: {out / 'paths.png'} is a folder, and a file is to be there\n",
+    )
+    assert {name: (out / name).read_bytes() for name in before} == before
+
+
+def test_no_folder_is_no_place_for_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for command in ("run", "compare"):
+        done = shell(command, "midterm", "--out", "")
+        assert done.code == 2
+        assert "--out" in done.stderr
+    assert not names_in(tmp_path)
+    fine("run", "midterm", "--out", ".", "--no-animation", "--no-figures")
+    assert names_in(tmp_path) == RUN_FILES
+
+
+def test_errors_speak_of_the_file_asked_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert shell("scenarios", "--copy", "midterm", "nodir/x.toml").stderr == (
+        "error: nodir/x.toml: the folder nodir does not exist\n"
+    )
 
 
 def test_set_changes_values() -> None:
