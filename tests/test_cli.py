@@ -268,6 +268,36 @@ def test_runs_that_kept_little_write_little(tmp_path: Path) -> None:
     assert names_in(tmp_path / "out") == {"events.csv", "run.json"}
 
 
+def test_a_run_that_kept_nothing_says_so(tmp_path: Path, run: carom.Run) -> None:
+    words = ("run", "midterm", "--set", "record=none")
+    kept, diagnostics = fine(*words, "--out", tmp_path / "out").split("\n\n")
+    assert kept == "no events: the run kept none (record = none)"
+    facts = dict(line.split("\t", 1) for line in diagnostics.splitlines())
+    assert (facts["status"], facts["digest"]) == ("time_limit", run.digest)
+    assert facts["record"] == "none"
+    assert facts["events.ball_cushion"] == "11"
+    assert names_in(tmp_path / "out") == {"run.json"}
+    found = json.loads(fine(*words, "--json"))
+    assert (found["record"], found["events"], found["digest"]) == ("none", None, run.digest)
+    assert json.loads(fine("run", "midterm", "--json"))["record"] == "all"
+
+
+def test_what_a_scenario_keeps_is_no_matter_to_compare_and_bench(tmp_path: Path) -> None:
+    path = tmp_path / "little.toml"
+    carom.load("midterm").with_values({"record": "none"}).save(path)
+    assert fine("compare", path, "--dt", "0.03,0.01") == fine("compare", "midterm", "--dt", "0.03,0.01")
+    (row,) = json.loads(fine("bench", path, "--repeats", "1", "--json"))
+    assert row["events"] == 12
+
+
+def test_the_speed_of_a_film_is_said(tmp_path: Path) -> None:
+    options = ("--set", "duration=40", "--sample", "10", "--no-figures", "--out", tmp_path / "out")
+    assert json.loads(fine("run", "midterm", *options, "--json"))["animation_speed"] == 2.0
+    assert "\nanimation_speed\t2.0\n" in fine("run", "midterm", *options, "--overwrite")
+    found = json.loads(fine("run", "midterm", *options, "--overwrite", "--no-animation", "--json"))
+    assert found["animation_speed"] is None
+
+
 # Errors
 
 
@@ -412,6 +442,11 @@ def test_compare_writes_its_table_and_figure(tmp_path: Path) -> None:
     assert names_in(out) == {"comparison.csv", "errors.png", "errors.pdf"}
     assert [float(row["dt"]) for row in rows_of(out / "comparison.csv")] == [0.03, 0.01]
     assert shell("compare", "midterm", "--dt", "0.1", "--out", out).code == 1
+
+
+def test_compare_without_any_error_draws_that(tmp_path: Path) -> None:
+    fine("compare", "midterm", "--dt", "0.1,0.01", "--duration", "0", "--out", tmp_path / "out")
+    assert names_in(tmp_path / "out") == {"comparison.csv", "errors.png"}
 
 
 def test_check_lists_every_problem(tmp_path: Path) -> None:
