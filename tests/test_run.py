@@ -145,6 +145,26 @@ def test_run_pickles_and_copies(run: carom.Run) -> None:
     assert run != run.scenario.run(duration=4)
 
 
+def test_runs_are_equal_that_came_out_equal_however_they_were_computed(
+    midterm: carom.Scenario, run: carom.Run, stepped: carom.Run
+) -> None:
+    resumed = midterm.run(duration=2).resume(duration=5)
+    assert resumed.diagnostics["predictions"] != run.diagnostics["predictions"]
+    assert resumed == run
+    in_steps = midterm.start()
+    in_steps.run_until(1.234)
+    assert in_steps.finish() == run
+    for record in ("events", "none"):
+        little = midterm.run(record=record)
+        assert little == midterm.run(duration=2, record=record).resume(duration=5)
+        assert little != run
+    moved = midterm.with_values({"balls.red.position[0]": np.nextafter(0.1, 1.0)})
+    assert moved.run(record="none") != midterm.run(record="none")
+    assert stepped != run
+    assert stepped == copy.copy(stepped)
+    assert run != "run"
+
+
 def test_verify_says_same_bits(run: carom.Run, stepped: carom.Run, midterm: carom.Scenario) -> None:
     parts = [midterm.run(until="ball_ball", method=method) for method in (carom.Exact(), carom.Stepped(dt=0.03))]
     for one in (run, stepped, *parts, midterm.run(record="none")):
