@@ -345,6 +345,7 @@ def test_problems_are_reported_line_by_line(
         ("run", "midterm", "--method", "exact", "--dt", "0.1"),
         ("run", "midterm", "--format", "bmp"),
         ("run", "midterm", "--sample", "0"),
+        ("run", "midterm", "--sample", "inf"),
         ("compare", "midterm", "--dt", "0.1,-1"),
         ("fly",),
     ],
@@ -364,7 +365,9 @@ def test_what_is_no_scenario_is_named_in_one_line(tmp_path: Path, run: carom.Run
 
 def test_files_and_folders_that_cannot_be_are_reported(tmp_path: Path) -> None:
     (tmp_path / "bytes.json").write_bytes(b"\xff\xfe")
-    assert shell("verify", tmp_path / "bytes.json").stderr.startswith("error: not a text")
+    assert shell("verify", tmp_path / "bytes.json").stderr == (
+        f"error: {tmp_path / 'bytes.json'}: not a text in UTF-8 (byte 0)\n"
+    )
     assert shell("run", "midterm", "--out", tmp_path / "bytes.json").stderr.startswith("error: --out: ")
     done = shell("run", "midterm", "--sample", "1e-9", "--out", tmp_path / "out")
     assert done.stderr.startswith("error: --sample: ")

@@ -1,4 +1,4 @@
-"""Writing files so that an interrupted run leaves no half file."""
+"""Reading texts, and writing files so that an interrupted run leaves no half file."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+
+from carom.errors import CaromError
 
 
 @contextmanager
@@ -51,6 +53,18 @@ def speaking_of(temporary: Path, path: str | os.PathLike[str]) -> Iterator[None]
             raise
         place = Path(path) / named.relative_to(temporary)
         raise OSError(error.errno, error.strerror, str(place)) from None
+
+
+def read_text(path: str | os.PathLike[str], problem: type[CaromError], wanted: str) -> str:
+    """Read a text in UTF-8, leaving out a byte order mark; what is none is a `problem` that names the file."""
+    try:
+        return Path(path).read_text(encoding="utf-8-sig")
+    except IsADirectoryError:
+        raise problem(f"{path}: a folder, not {wanted}") from None
+    except FileNotFoundError:
+        raise problem(f"{path}: no such file") from None
+    except UnicodeDecodeError as error:
+        raise problem(f"{path}: not a text in UTF-8 (byte {error.start})") from None
 
 
 def write_text(path: str | os.PathLike[str], text: str) -> None:

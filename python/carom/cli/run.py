@@ -67,8 +67,8 @@ def run(
     filmed faster than it is; animation_speed says how much.
     """
     kinds = options.read_formats(formats)
-    if sample is not None and not sample > 0.0:
-        raise typer.BadParameter("must be positive", param_hint="--sample")
+    if sample is not None and not 0.0 < sample < float("inf"):
+        raise typer.BadParameter("must be positive and finite", param_hint="--sample")
     if out is not None:
         check_free(out, NAMES, overwrite=overwrite)
     chosen = options.load_with(scenario, settings)
