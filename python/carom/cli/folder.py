@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import secrets
 import shutil
 import signal
 import threading
@@ -48,7 +47,7 @@ def filling(folder: Path, names: Iterable[str], mark: str) -> Iterator[Path]:
         The file that comes last.
     """
     target = Path(os.path.realpath(folder))
-    temporary = _nearest_existing(target) / f".{target.name}.{secrets.token_hex(4)}"
+    temporary = _nearest_existing(target) / f".{target.name}.{os.urandom(4).hex()}"
     try:
         try:
             temporary.mkdir()
