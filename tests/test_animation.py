@@ -123,6 +123,16 @@ def test_what_cannot_be_filmed_is_refused(
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize("name", ["film.gif", "film.mp4"])
+def test_a_film_without_end_is_refused_with_a_speed_that_does(
+    midterm: carom.Scenario, tmp_path: Path, name: str
+) -> None:
+    run = midterm.run(duration=1e9)
+    with pytest.raises(ValueError, match=r"3e\+10 frames, more than 100000; .* speed=5e\+07"):
+        run.animate(tmp_path / name)
+    assert not list(tmp_path.iterdir())
+
+
 def test_an_interrupted_film_leaves_nothing(run: carom.Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupt(self: object, index: int) -> None:
         raise KeyboardInterrupt

@@ -1,14 +1,18 @@
 """The command line: what it prints, writes, refuses, and with which exit code."""
 
 import csv
+import errno
 import io
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
+from collections.abc import Iterator
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
@@ -162,6 +166,76 @@ def test_overwriting_leaves_no_old_results_and_keeps_other_files(tmp_path: Path)
     assert names_in(tmp_path) == {"out"}
 
 
+@pytest.fixture
+def other_disk() -> Iterator[Path]:
+    """Give a folder on another file system than that of temporary files."""
+    try:
+        folder = Path(tempfile.mkdtemp(dir="/dev/shm"))
+    except OSError:
+        pytest.skip("no second file system here")
+    yield folder
+    shutil.rmtree(folder)
+
+
+def test_a_link_to_another_file_system_is_written_through(tmp_path: Path, other_disk: Path) -> None:
+    link = tmp_path / "link"
+    link.symlink_to(other_disk)
+    options = ("run", "midterm", "--out", link, "--no-animation", "--no-figures")
+    fine(*options, "--dt", "0.03")
+    fine(*options, "--overwrite")
+    assert link.is_symlink()
+    assert names_in(other_disk) == RUN_FILES
+    assert carom.load_run(link / "run.json").steps is None
+    assert names_in(tmp_path) == {"link"}
+
+
+def test_a_link_to_a_folder_yet_to_be_made_is_written_through(tmp_path: Path) -> None:
+    (tmp_path / "link").symlink_to(tmp_path / "deep" / "out")
+    fine("run", "midterm", "--out", tmp_path / "link", "--no-animation", "--no-figures")
+    assert names_in(tmp_path / "deep" / "out") == RUN_FILES
+    assert names_in(tmp_path) == {"link", "deep"}
+
+
+def test_files_that_cannot_be_moved_leave_the_old_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    out = tmp_path / "out"
+    options = ("run", "midterm", "--out", out, "--no-animation", "--no-figures")
+    fine(*options, "--dt", "0.03")
+    before = {name: (out / name).read_bytes() for name in names_in(out)}
+
+    def refuse(*_: object) -> None:
+        raise PermissionError(errno.EACCES, "no", str(out))
+
+    monkeypatch.setattr("carom.cli.folder._move_all", refuse)
+    assert shell(*options, "--overwrite").code == 1
+    assert {name: (out / name).read_bytes() for name in names_in(out)} == before
+    monkeypatch.undo()
+    (out / "paths.png").mkdir()
+    done = shell(*options, "--overwrite")
+    assert (done.code, done.stderr) == (
+        1,
+        f"error: --out: {out / 'paths.png'} is a folder, and a file is to be there\n",
+    )
+    assert {name: (out / name).read_bytes() for name in before} == before
+
+
+def test_no_folder_is_no_place_for_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for command in ("run", "compare"):
+        done = shell(command, "midterm", "--out", "")
+        assert done.code == 2
+        assert "--out" in done.stderr
+    assert not names_in(tmp_path)
+    fine("run", "midterm", "--out", ".", "--no-animation", "--no-figures")
+    assert names_in(tmp_path) == RUN_FILES
+
+
+def test_errors_speak_of_the_file_asked_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert shell("scenarios", "--copy", "midterm", "nodir/x.toml").stderr == (
+        "error: nodir/x.toml: the folder nodir does not exist\n"
+    )
+
+
 def test_set_changes_values() -> None:
     printed = fine("run", "midterm", "--set", "balls.red.velocity[0]=0", "--set", "duration=0.4", "--json")
     found = json.loads(printed)
@@ -192,6 +266,36 @@ def test_an_event_budget_that_was_not_asked_for_is_no_success() -> None:
 def test_runs_that_kept_little_write_little(tmp_path: Path) -> None:
     fine("run", "midterm", "--set", "record=events", "--out", tmp_path / "out")
     assert names_in(tmp_path / "out") == {"events.csv", "run.json"}
+
+
+def test_a_run_that_kept_nothing_says_so(tmp_path: Path, run: carom.Run) -> None:
+    words = ("run", "midterm", "--set", "record=none")
+    kept, diagnostics = fine(*words, "--out", tmp_path / "out").split("\n\n")
+    assert kept == "no events: the run kept none (record = none)"
+    facts = dict(line.split("\t", 1) for line in diagnostics.splitlines())
+    assert (facts["status"], facts["digest"]) == ("time_limit", run.digest)
+    assert facts["record"] == "none"
+    assert facts["events.ball_cushion"] == "11"
+    assert names_in(tmp_path / "out") == {"run.json"}
+    found = json.loads(fine(*words, "--json"))
+    assert (found["record"], found["events"], found["digest"]) == ("none", None, run.digest)
+    assert json.loads(fine("run", "midterm", "--json"))["record"] == "all"
+
+
+def test_what_a_scenario_keeps_is_no_matter_to_compare_and_bench(tmp_path: Path) -> None:
+    path = tmp_path / "little.toml"
+    carom.load("midterm").with_values({"record": "none"}).save(path)
+    assert fine("compare", path, "--dt", "0.03,0.01") == fine("compare", "midterm", "--dt", "0.03,0.01")
+    (row,) = json.loads(fine("bench", path, "--repeats", "1", "--json"))
+    assert row["events"] == 12
+
+
+def test_the_speed_of_a_film_is_said(tmp_path: Path) -> None:
+    options = ("--set", "duration=40", "--sample", "10", "--no-figures", "--out", tmp_path / "out")
+    assert json.loads(fine("run", "midterm", *options, "--json"))["animation_speed"] == 2.0
+    assert "\nanimation_speed\t2.0\n" in fine("run", "midterm", *options, "--overwrite")
+    found = json.loads(fine("run", "midterm", *options, "--overwrite", "--no-animation", "--json"))
+    assert found["animation_speed"] is None
 
 
 # Errors
@@ -241,6 +345,7 @@ def test_problems_are_reported_line_by_line(
         ("run", "midterm", "--method", "exact", "--dt", "0.1"),
         ("run", "midterm", "--format", "bmp"),
         ("run", "midterm", "--sample", "0"),
+        ("run", "midterm", "--sample", "inf"),
         ("compare", "midterm", "--dt", "0.1,-1"),
         ("fly",),
     ],
@@ -260,7 +365,9 @@ def test_what_is_no_scenario_is_named_in_one_line(tmp_path: Path, run: carom.Run
 
 def test_files_and_folders_that_cannot_be_are_reported(tmp_path: Path) -> None:
     (tmp_path / "bytes.json").write_bytes(b"\xff\xfe")
-    assert shell("verify", tmp_path / "bytes.json").stderr.startswith("error: not a text")
+    assert shell("verify", tmp_path / "bytes.json").stderr == (
+        f"error: {tmp_path / 'bytes.json'}: not a text in UTF-8 (byte 0)\n"
+    )
     assert shell("run", "midterm", "--out", tmp_path / "bytes.json").stderr.startswith("error: --out: ")
     done = shell("run", "midterm", "--sample", "1e-9", "--out", tmp_path / "out")
     assert done.stderr.startswith("error: --sample: ")
@@ -338,6 +445,11 @@ def test_compare_writes_its_table_and_figure(tmp_path: Path) -> None:
     assert names_in(out) == {"comparison.csv", "errors.png", "errors.pdf"}
     assert [float(row["dt"]) for row in rows_of(out / "comparison.csv")] == [0.03, 0.01]
     assert shell("compare", "midterm", "--dt", "0.1", "--out", out).code == 1
+
+
+def test_compare_without_any_error_draws_that(tmp_path: Path) -> None:
+    fine("compare", "midterm", "--dt", "0.1,0.01", "--duration", "0", "--out", tmp_path / "out")
+    assert names_in(tmp_path / "out") == {"comparison.csv", "errors.png"}
 
 
 def test_check_lists_every_problem(tmp_path: Path) -> None:

@@ -75,6 +75,10 @@ def test_no_event_is_none(run: carom.Run) -> None:
 def test_unknown_words_name_the_known_ones(run: carom.Run) -> None:
     with pytest.raises(ValueError, match="unknown ball 'rde'; known are red, blue"):
         run.events.by_ball("rde")
+    with pytest.raises(ValueError, match="unknown cushion 'lfet'; known are bottom, right, top, left"):
+        run.events.by_cushion("lfet")
+    with pytest.raises(ValueError, match="unknown cushion"):
+        run.events.by_kind("ball_cushion").by_cushion("lfet")
     with pytest.raises(ValueError, match="unknown kind of event 'bal'; known are ball_ball"):
         run.events.by_kind("bal")
 

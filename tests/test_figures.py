@@ -4,6 +4,7 @@ import itertools
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -73,6 +74,13 @@ def test_exact_frames_are_equal_times_apart_with_the_event_in_the_middle(run: ca
     spacing = spacings[np.argmin(np.linalg.norm(before - places[0][0], axis=1))]
     np.testing.assert_allclose(places[0], run.positions(contact.time - spacing), atol=1e-4)
     np.testing.assert_allclose(places[2], run.positions(contact.time + spacing), atol=1e-4)
+
+
+@pytest.mark.parametrize("around", ["ball_ball", 1.0, 3, "table", "empty"])
+def test_a_filmstrip_is_around_one_event(run: carom.Run, around: Any) -> None:
+    parts = {"table": run.events.by_kind("ball_ball"), "empty": run.events[:0]}
+    with pytest.raises(TypeError, match=r"around: must be one event, such as run\.events\[0\], got"):
+        run.filmstrip(around=parts.get(around, around))
 
 
 def test_exact_balls_are_apart_before_and_after_and_on_the_flights_that_meet(run: carom.Run) -> None:

@@ -1,5 +1,6 @@
 """Files appear whole or not at all, and only where they were asked for."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -48,6 +49,39 @@ def test_missing_folder_is_not_made(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError):
         write_text(tmp_path / "missing" / "a.txt", "text")
     assert _tree(tmp_path) == set()
+
+
+def test_errors_speak_of_the_file_asked_for(tmp_path: Path, run: carom.Run) -> None:
+    missing = tmp_path / "missing"
+    for write in (lambda: run.save(missing / "a.json"), lambda: run.animate(missing / "a.gif", fps=1, size=40)):
+        with pytest.raises(FileNotFoundError, match=f"the folder {missing} does not exist: .*missing.a.") as caught:
+            write()
+        assert caught.value.filename in (str(missing / "a.json"), str(missing / "a.gif"))
+    with pytest.raises(OSError) as too_long:
+        write_text(tmp_path / ("a" * 300), "text")
+    assert too_long.value.filename == str(tmp_path / ("a" * 300))
+    write_text(tmp_path / ("a" * 250), "text")
+
+
+def test_what_is_no_file_is_not_replaced(tmp_path: Path) -> None:
+    with pytest.raises(IsADirectoryError):
+        write_text(tmp_path, "text")
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="Windows has no named pipes in folders")
+def test_a_pipe_or_a_device_is_not_replaced(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(OSError, match="not a file"):
+        write_text(tmp_path / "pipe", "text")
+    assert (tmp_path / "pipe").is_fifo()
+
+
+def test_a_link_stays_a_link(tmp_path: Path) -> None:
+    (tmp_path / "other").mkdir()
+    (tmp_path / "a.txt").symlink_to(tmp_path / "other" / "a.txt")
+    write_text(tmp_path / "a.txt", "text")
+    assert (tmp_path / "a.txt").is_symlink()
+    assert (tmp_path / "other" / "a.txt").read_text(encoding="utf-8") == "text"
 
 
 def test_everything_that_is_saved_stays_in_the_folder_named(

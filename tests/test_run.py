@@ -30,6 +30,18 @@ def test_until_a_condition_on_an_event(midterm: carom.Scenario, run: carom.Run) 
     assert midterm.run(until=lambda event: False) == run
 
 
+def test_a_simulation_goes_to_a_time_that_is_one_and_lies_ahead(midterm: carom.Scenario) -> None:
+    simulation = midterm.start()
+    with pytest.raises(ValueError, match="time: must be a number, got nan"):
+        simulation.run_until(float("nan"))
+    assert simulation.time == 0.0
+    simulation.run_until(2.0)
+    with pytest.raises(carom.RunError, match=r"time: 1\.5 lies before 2, where the simulation is"):
+        simulation.run_until(1.5)
+    simulation.run_until(np.inf)
+    assert (simulation.status, simulation.time) == ("time_limit", 5.0)
+
+
 def test_arrays_have_time_ball_and_axis(run: carom.Run) -> None:
     times = np.linspace(0, 5, 7)
     assert run.positions(times).shape == run.velocities(times).shape == (7, 2, 2)
@@ -99,6 +111,18 @@ def test_sample_times_end_with_the_run(run: carom.Run) -> None:
     assert run.sample_times(9).tolist() == [0, 5]
     with pytest.raises(ValueError, match="step: must be positive"):
         run.sample_times(0)
+    for step in (float("inf"), float("nan")):
+        with pytest.raises(ValueError, match="step: must be positive and finite"):
+            run.sample_times(step)
+    for step in (1e-9, 1e-300):
+        with pytest.raises(ValueError, match=r"step: .* would make more than 1e\+08 times"):
+            run.sample_times(step)
+
+
+def test_a_trajectory_has_a_row_for_each_time(run: carom.Run) -> None:
+    with pytest.raises(ValueError, match=r"times: must be a number or a list of them, got the shape \(2, 2\)"):
+        run.trajectory([[0, 1], [2, 3]])
+    assert len(run.trajectory(1.0)) == 1
 
 
 def test_diagnostics_count_the_events(run: carom.Run) -> None:
@@ -145,6 +169,26 @@ def test_run_pickles_and_copies(run: carom.Run) -> None:
     assert run != run.scenario.run(duration=4)
 
 
+def test_runs_are_equal_that_came_out_equal_however_they_were_computed(
+    midterm: carom.Scenario, run: carom.Run, stepped: carom.Run
+) -> None:
+    resumed = midterm.run(duration=2).resume(duration=5)
+    assert resumed.diagnostics["predictions"] != run.diagnostics["predictions"]
+    assert resumed == run
+    in_steps = midterm.start()
+    in_steps.run_until(1.234)
+    assert in_steps.finish() == run
+    for record in ("events", "none"):
+        little = midterm.run(record=record)
+        assert little == midterm.run(duration=2, record=record).resume(duration=5)
+        assert little != run
+    moved = midterm.with_values({"balls.red.position[0]": np.nextafter(0.1, 1.0)})
+    assert moved.run(record="none") != midterm.run(record="none")
+    assert stepped != run
+    assert stepped == copy.copy(stepped)
+    assert run != "run"
+
+
 def test_verify_says_same_bits(run: carom.Run, stepped: carom.Run, midterm: carom.Scenario) -> None:
     parts = [midterm.run(until="ball_ball", method=method) for method in (carom.Exact(), carom.Stepped(dt=0.03))]
     for one in (run, stepped, *parts, midterm.run(record="none")):
@@ -185,8 +229,23 @@ def test_a_run_of_another_physics_says_so(run: carom.Run) -> None:
 @pytest.mark.parametrize("text", ["", "[]", "{}", '{"format": 99}', '{"format": 1}'])
 def test_text_that_is_no_run_is_an_error(text: str, tmp_path: Path) -> None:
     (tmp_path / "run.json").write_text(text, encoding="utf-8")
-    with pytest.raises(carom.RunError, match="saved"):
+    with pytest.raises(carom.RunError, match=r"run\.json: .*saved"):
         carom.load_run(tmp_path / "run.json")
+
+
+def test_file_that_is_no_text_or_not_there_is_an_error(tmp_path: Path) -> None:
+    (tmp_path / "run.json").write_bytes(b"\xff\xfe")
+    with pytest.raises(carom.RunError, match=r"run\.json: not a text in UTF-8 \(byte 0\)"):
+        carom.load_run(tmp_path / "run.json")
+    with pytest.raises(carom.RunError, match=r"none\.json: no such file$"):
+        carom.load_run(tmp_path / "none.json")
+    with pytest.raises(carom.RunError, match="a folder, not a saved run"):
+        carom.load_run(tmp_path)
+
+
+def test_a_byte_order_mark_is_no_part_of_a_run(run: carom.Run, tmp_path: Path) -> None:
+    (tmp_path / "run.json").write_text(run.to_json(), encoding="utf-8-sig")
+    assert carom.load_run(tmp_path / "run.json") == run
 
 
 def test_repr_fits_one_screen(run: carom.Run) -> None:

@@ -65,6 +65,7 @@ def test_looking_on_changes_nothing(midterm: carom.Scenario, run: carom.Run) -> 
 def test_stopped_simulation_is_the_beginning_of_the_run(midterm: carom.Scenario, run: carom.Run) -> None:
     simulation = midterm.start()
     simulation.run_until(1.0)
+    simulation.run_until(1.0)
     simulation.stop()
     part = simulation.finish()
     assert (part.status, part.end_time) == ("stopped", 1.0)

@@ -28,11 +28,20 @@ def test_ready_made_scenario_survives_every_round_trip(name: str, tmp_path: Path
     scenario = carom.load(name)
     scenario.save(tmp_path / "s.toml")
     scenario.save(tmp_path / "s.json")
+    scenario.save(tmp_path / "S.TOML")
+    scenario.save(tmp_path / "S.Json")
+    (tmp_path / "bom.toml").write_text(scenario.to_toml(), encoding="utf-8-sig")
+    (tmp_path / "bom.json").write_text(scenario.to_json(), encoding="utf-8-sig")
     again = [
         carom.Scenario.from_toml(scenario.to_toml()),
         carom.Scenario.from_json(scenario.to_json()),
         carom.Scenario.from_dict(scenario.to_dict()),
         carom.load(tmp_path / "s.toml"),
+        carom.load(tmp_path / "S.TOML"),
+        carom.load(tmp_path / "S.Json"),
+        carom.load(tmp_path / "bom.toml"),
+        carom.load(tmp_path / "bom.json"),
+        carom.Scenario.from_json("\ufeff" + scenario.to_json()),
         carom.load(str(tmp_path / "s.json")),
         pickle.loads(pickle.dumps(scenario)),
         copy.copy(scenario),

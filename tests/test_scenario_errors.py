@@ -71,11 +71,21 @@ def test_file_that_is_no_scenario_says_why(tmp_path: Path) -> None:
     with pytest.raises(carom.ScenarioError, match="not a text in UTF-8"):
         carom.load(tmp_path / "a.toml")
     (tmp_path / "b.toml").write_text("format = \n", encoding="utf-8")
-    with pytest.raises(carom.ScenarioError, match="line 1"):
+    with pytest.raises(carom.ScenarioError, match=r"b\.toml: line 1, column"):
         carom.load(tmp_path / "b.toml")
+    (tmp_path / "b.json").write_text("{", encoding="utf-8")
+    with pytest.raises(carom.ScenarioError, match=r"b\.json: line 1, column"):
+        carom.load(tmp_path / "b.json")
     (tmp_path / "c.yaml").write_text("", encoding="utf-8")
     with pytest.raises(carom.ScenarioError, match=r"ends in \.toml or \.json"):
         carom.load(tmp_path / "c.yaml")
+
+
+@pytest.mark.parametrize("limit", ["collisions", "max_events"])
+@pytest.mark.parametrize("value", [2.0, "2", True])
+def test_a_count_is_an_int_here_as_in_a_run(limit: str, value: Any) -> None:
+    with pytest.raises(TypeError, match=f"^{limit}: must be an int"):
+        carom.Scenario(TABLE, [_ball()], duration=1, **{limit: value})
 
 
 def test_check_gives_the_problems_instead_of_raising(midterm: carom.Scenario) -> None:

@@ -34,6 +34,8 @@ FADES = 16
 SAMPLES_PER_FRAME = 3
 MOST_TRAILS = 32
 EXACT_COLOURS = 128
+MOST_FRAMES = 1e5
+SHORT_FILM = 20.0
 SHORTEST_DELAY = 2  # hundredths of a second; viewers slow a GIF down below it
 
 
@@ -78,7 +80,8 @@ def animate(
     Raises
     ------
     ValueError
-        If the suffix is neither of the two, or a number is out of its range.
+        If the suffix is neither of the two, or a number is out of its range, or the film would have more than
+        100 000 frames.
     MissingExtraError
         If an MP4 is asked for without carom[movie].
     """
@@ -89,6 +92,7 @@ def animate(
     _check_range("fps", fps, 100.0 / SHORTEST_DELAY if suffix == ".gif" else 1000.0)
     _check_range("speed", speed, np.inf)
     _check_range("size", size, 10_000)
+    _check_length(target, run.end_time, speed, fps)
     ffmpeg = needed("imageio_ffmpeg", "movie") if suffix == ".mp4" else None
     delays = gif_delays(run.end_time / speed, fps) if ffmpeg is None else None
     times = speed * (film_times(run.end_time / speed, fps) if delays is None else _starts(delays) / 100.0)
@@ -128,6 +132,16 @@ def _starts(delays: NDArray[np.int64]) -> NDArray[np.int64]:
 def _check_range(name: str, value: float, most: float) -> None:
     if not 0 < value <= most:
         raise ValueError(f"{name}: must be above 0 and at most {most:g}, got {value!r}")
+
+
+def _check_length(target: Path, end: float, speed: float, fps: float) -> None:
+    """Refuse a film that nobody will see the end of, and say how to have a shorter one."""
+    frames = end / speed * fps
+    if frames > MOST_FRAMES:
+        raise ValueError(
+            f"{target}: {frames:.3g} frames, more than {MOST_FRAMES:g}; a larger speed makes fewer, and "
+            f"speed={end / SHORT_FILM:.3g} a film of {SHORT_FILM:g} seconds"
+        )
 
 
 @dataclass(frozen=True)

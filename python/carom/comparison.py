@@ -50,7 +50,7 @@ def compare(scenario: Scenario, steps: Iterable[float] = DEFAULT_STEPS, **option
     Parameters
     ----------
     scenario : Scenario
-        What to run; its own method is set aside.
+        What to run; its own method, and what it says of keeping results, are set aside.
     steps : iterable of float
         The time steps.
     **options
@@ -68,7 +68,7 @@ def compare(scenario: Scenario, steps: Iterable[float] = DEFAULT_STEPS, **option
     >>> comparison.table["missed"].tolist()
     [1, 0]
     """
-    exact = scenario.run(method=Exact(), **options)
+    exact = scenario.run(method=Exact(), record="all", **options)
     rows = [_row(exact, scenario.run(method=Stepped(dt), record="events", **options), dt) for dt in steps]
     table = ColumnTable({name: [row[name] for row in rows] for name in ROW})
     return Comparison(exact, table, _order(table))

@@ -84,14 +84,17 @@ class EventTable(ColumnTable):
     ----------
     columns : mapping of str to (n_events,) array
         The columns of `Event`, complete.
-    kinds, balls : sequences of str
-        The words that `by_kind` and `by_ball` know.
+    kinds, balls, cushions : sequences of str
+        The words that `by_kind`, `by_ball` and `by_cushion` know.
     """
 
-    def __init__(self, columns: Mapping[str, Any], kinds: Sequence[str], balls: Sequence[str]) -> None:
+    def __init__(
+        self, columns: Mapping[str, Any], kinds: Sequence[str], balls: Sequence[str], cushions: Sequence[str]
+    ) -> None:
         super().__init__({name: columns[name] for name in COLUMNS})
         self._kinds = tuple(kinds)
         self._balls = tuple(balls)
+        self._cushions = tuple(cushions)
 
     @overload
     def __getitem__(self, key: str) -> NDArray[Any]: ...
@@ -121,7 +124,8 @@ class EventTable(ColumnTable):
         return self._part(_any_of(self["ball_a"], balls) | _any_of(self["ball_b"], balls))
 
     def by_cushion(self, *cushions: str) -> EventTable:
-        """Give the events at any of these cushions."""
+        """Give the events at any of these cushions; an unknown id is a ValueError."""
+        _check_known("cushion", cushions, self._cushions)
         return self._part(_any_of(self["cushion"], cushions))
 
     def by_time(self, start: float, end: float) -> EventTable:
@@ -139,7 +143,8 @@ class EventTable(ColumnTable):
         return next(iter(self._part(slice(row, row + 1 or None))))
 
     def _part(self, rows: slice | NDArray[Any]) -> EventTable:
-        return EventTable({name: self.column(name)[rows] for name in COLUMNS}, self._kinds, self._balls)
+        columns = {name: self.column(name)[rows] for name in COLUMNS}
+        return EventTable(columns, self._kinds, self._balls, self._cushions)
 
 
 def event_from(values: Mapping[str, Any]) -> Event:

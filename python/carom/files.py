@@ -1,12 +1,14 @@
-"""Writing files so that an interrupted run leaves no half file."""
+"""Reading texts, and writing files so that an interrupted run leaves no half file."""
 
 from __future__ import annotations
 
+import errno
 import os
-import secrets
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
+
+from carom.errors import CaromError
 
 
 @contextmanager
@@ -14,23 +16,67 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
     """Give a temporary path beside `path`; when the block ends well, it is renamed to `path`.
 
     The temporary name keeps the suffix, so that writers which choose a format by it work. When the block
-    raises, the temporary file is removed and an older file at `path` stays as it was.
+    raises, the temporary file is removed and an older file at `path` stays as it was. A link stays a link: the
+    file that it leads to is replaced.
 
     Parameters
     ----------
     path : path-like
         Where the file is to be. Its folder must exist.
+
+    Raises
+    ------
+    OSError
+        When the file cannot be written there; it speaks of `path`, not of the temporary name.
     """
-    target = Path(path)
-    temporary = target.with_name(f".{target.stem}.{secrets.token_hex(4)}{target.suffix}")
+    target = Path(os.path.realpath(path))
+    _check_place(path, target)
+    temporary = target.with_name(f".{target.stem[:32]}.{os.urandom(4).hex()}{target.suffix}")
     try:
-        yield temporary
-        temporary.replace(target)
+        with speaking_of(temporary, path):
+            yield temporary
+            temporary.replace(target)
     finally:
-        temporary.unlink(missing_ok=True)
+        with suppress(OSError):
+            temporary.unlink()
+
+
+@contextmanager
+def speaking_of(temporary: Path, path: str | os.PathLike[str]) -> Iterator[None]:
+    """Make errors about a temporary file, or files in a temporary folder, speak of the place it is meant for."""
+    try:
+        yield
+    except OSError as error:
+        named = Path(error.filename) if isinstance(error.filename, (str, os.PathLike)) else None
+        if named is None or not named.is_relative_to(temporary):
+            raise
+        place = Path(path) / named.relative_to(temporary)
+        raise OSError(error.errno, error.strerror, str(place)) from None
+
+
+def read_text(path: str | os.PathLike[str], problem: type[CaromError], wanted: str) -> str:
+    """Read a text in UTF-8, leaving out a byte order mark; what is none is a `problem` that names the file."""
+    try:
+        return Path(path).read_text(encoding="utf-8-sig")
+    except IsADirectoryError:
+        raise problem(f"{path}: a folder, not {wanted}") from None
+    except FileNotFoundError:
+        raise problem(f"{path}: no such file") from None
+    except UnicodeDecodeError as error:
+        raise problem(f"{path}: not a text in UTF-8 (byte {error.start})") from None
 
 
 def write_text(path: str | os.PathLike[str], text: str) -> None:
     """Write `text` to `path` in UTF-8, with the same line ends on every system."""
     with replacing(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
+
+
+def _check_place(path: str | os.PathLike[str], target: Path) -> None:
+    """Refuse what is there and no file: a folder, and a device, which a file would take the place of."""
+    if target.is_dir():
+        raise OSError(errno.EISDIR, "a folder, not a file", os.fspath(path))
+    if target.exists() and not target.is_file():
+        raise OSError(errno.EINVAL, "a device or pipe, not a file", os.fspath(path))
+    if not target.parent.is_dir():
+        raise OSError(errno.ENOENT, f"the folder {Path(path).parent} does not exist", os.fspath(path))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from carom import _engine
 from carom.errors import ScenarioError
+from carom.files import read_text
 
 FORMATS = {".toml": "toml", ".json": "json"}
 """The formats of scenario files, by suffix."""
@@ -35,7 +36,7 @@ def text_of(source: str | os.PathLike[str]) -> tuple[str, str]:
     ------
     ScenarioError
         When there is no such scenario, naming the nearest ready-made ones; when a file is not UTF-8 text; and
-        when its suffix is neither ``.toml`` nor ``.json``.
+        when its suffix is neither ``.toml`` nor ``.json``, in small letters or not.
     """
     if isinstance(source, str) and not _is_path(source):
         return _bundled(source), "toml"
@@ -45,9 +46,10 @@ def text_of(source: str | os.PathLike[str]) -> tuple[str, str]:
 
 def format_of(path: Path) -> str:
     """Give the scenario format that the suffix of `path` stands for."""
-    if path.suffix not in FORMATS:
+    suffix = path.suffix.lower()
+    if suffix not in FORMATS:
         raise ScenarioError(f"{path}: a scenario file ends in .toml or .json")
-    return FORMATS[path.suffix]
+    return FORMATS[suffix]
 
 
 def _is_path(source: str) -> bool:
@@ -62,14 +64,9 @@ def _bundled(name: str) -> str:
 
 
 def _read(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8")
-    except IsADirectoryError:
-        raise ScenarioError(f"{path}: a folder, not a scenario file") from None
-    except FileNotFoundError:
-        raise ScenarioError(f"{path}: no such file{_nearest(path.stem)}") from None
-    except UnicodeDecodeError as error:
-        raise ScenarioError(f"{path}: not a text in UTF-8 (byte {error.start})") from None
+    if not path.exists():
+        raise ScenarioError(f"{path}: no such file{_nearest(path.stem)}")
+    return read_text(path, ScenarioError, "a scenario file")
 
 
 def _nearest(name: str) -> str:

@@ -31,6 +31,13 @@ def options_json(options: Mapping[str, Any]) -> str:
     return to_json(given) if given else "{}"
 
 
+def check_counts(values: Mapping[str, Any]) -> None:
+    """Refuse a count that is no int among the keys of a scenario, as among the options of a run."""
+    for name in ("collisions", "max_events"):
+        if values.get(name) is not None:
+            _whole(name, values[name])
+
+
 def _whole(name: str, value: object) -> None:
     if isinstance(value, bool) or not isinstance(value, numbers.Integral):
         raise TypeError(f"{name}: must be an int, got {value!r}")

@@ -15,14 +15,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom import _engine
 from carom.columns import ColumnTable
+from carom.errors import RunError
 from carom.events import Event, EventTable, decoded
-from carom.files import write_text
+from carom.files import read_text, write_text
 from carom.options import options_json
 from carom.scenario import Scenario
 from carom.summary import block
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+MOST_TIMES = 1e8
 
 
 @dataclass(frozen=True)
@@ -50,6 +53,10 @@ class Verification:
 
 class Run:
     """A computed run; it compares, copies and pickles.
+
+    Runs are equal that came out equal: the same scenario, status and end, and bit for bit the same events, flights
+    or steps and final state, as far as they were kept. What the computation itself took and measured, all of
+    `diagnostics`, does not count: a resumed run equals the one that was computed at once.
 
     Attributes
     ----------
@@ -93,7 +100,7 @@ class Run:
             ("cushion", self.cushion_ids),
         ):
             columns[name] = decoded(columns[name], words)
-        return EventTable(columns, kinds, balls)
+        return EventTable(columns, kinds, balls, self.cushion_ids)
 
     @property
     def cushion_ids(self) -> list[str]:
@@ -185,15 +192,31 @@ class Run:
         return self._native.momentum(np.ascontiguousarray(at).ravel()).reshape((*at.shape, 2))
 
     def sample_times(self, step: float) -> NDArray[np.float64]:
-        """Give the times 0, `step`, 2 `step` and so on, and the end of the run; (n_times,) float64."""
-        if not step > 0:
-            raise ValueError(f"step: must be positive, got {step!r}")
+        """Give the times 0, `step`, 2 `step` and so on, and the end of the run; (n_times,) float64.
+
+        Raises
+        ------
+        ValueError
+            When `step` is not positive and finite, or would make more than 1e8 times.
+        """
+        if not 0 < step < np.inf:
+            raise ValueError(f"step: must be positive and finite, got {step!r}")
+        if self.end_time > MOST_TIMES * step:
+            raise ValueError(f"step: {step!r} would make more than {MOST_TIMES:g} times up to {self.end_time:g}")
         times = np.arange(int(self.end_time / step) + 1) * step
         return np.append(times[times < self.end_time], self.end_time)
 
     def trajectory(self, times: ArrayLike) -> ColumnTable:
-        """Give the motion as a table: ``time``, and per ball ``<id>.x``, ``<id>.y``, ``<id>.vx``, ``<id>.vy``."""
+        """Give the motion as a table: ``time``, and per ball ``<id>.x``, ``<id>.y``, ``<id>.vx``, ``<id>.vy``.
+
+        Parameters
+        ----------
+        times : float or (n_times,) array of float
+            One row each, in any order.
+        """
         at = np.atleast_1d(np.asarray(times, dtype=np.float64))
+        if at.ndim > 1:
+            raise ValueError(f"times: must be a number or a list of them, got the shape {at.shape}")
         positions, velocities = self.states(at)
         columns = {"time": at}
         for ball, name in enumerate(self.ball_ids):
@@ -263,7 +286,12 @@ class Run:
         return animation.animate(self, path, **options)
 
     def __eq__(self, other: object) -> bool:
-        return self.to_json() == other.to_json() if isinstance(other, Run) else NotImplemented
+        if not isinstance(other, Run):
+            return NotImplemented
+        if (self.status, self.end_time, self.digest) != (other.status, other.end_time, other.digest):
+            return False
+        one, two = self.to_json(), other.to_json()
+        return one == two or _outcome(one) == _outcome(two)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -281,8 +309,24 @@ class Run:
 
 
 def load_run(path: str | os.PathLike[str]) -> Run:
-    """Read a run that `Run.save` wrote."""
-    return _from_json(Path(path).read_text(encoding="utf-8"))
+    """Read a run that `Run.save` wrote.
+
+    Raises
+    ------
+    RunError
+        When there is no such file, or it holds no saved run; the file is named.
+    """
+    text = read_text(path, RunError, "a saved run")
+    try:
+        return _from_json(text)
+    except RunError as error:
+        raise RunError(f"{path}: {error}") from None
+
+
+def _outcome(text: str) -> str:
+    """Give a saved run without what it says of its own computation, which another way to it changes."""
+    values: dict[str, Any] = json.loads(text)
+    return json.dumps({key: value for key, value in values.items() if key not in ("diagnostics", "carom")})
 
 
 def _from_json(text: str) -> Run:

@@ -13,7 +13,7 @@ from carom.ball import Ball
 from carom.encoding import to_json
 from carom.errors import ScenarioError
 from carom.files import write_text
-from carom.options import Record, options_json
+from carom.options import Record, check_counts, options_json
 from carom.summary import summary_of_scenario
 
 if TYPE_CHECKING:
@@ -46,6 +46,8 @@ class Scenario:
     ------
     ScenarioError
         When the scenario does not hold together; it lists every problem with its place.
+    TypeError
+        When `collisions` or `max_events` is no int.
 
     Examples
     --------
@@ -70,6 +72,7 @@ class Scenario:
     ) -> None:
         keys = {"table": table, "balls": balls, "physics": physics, "duration": duration, **more}
         given = {name: value for name, value in keys.items() if value is not None}
+        check_counts(given)
         self._native = _engine.Scenario.parse(to_json(given), "json")
 
     @classmethod
@@ -87,7 +90,7 @@ class Scenario:
         except ScenarioError as error:
             if {"physics_version", "digest"} <= {place for place, _ in error.problems}:
                 raise ScenarioError(f"{source}: a saved run, not a scenario; load_run and verify take it") from None
-            raise
+            raise ScenarioError([(_in_file(source, place), message) for place, message in error.problems]) from None
 
     @classmethod
     def from_toml(cls, text: str) -> Scenario:
@@ -97,7 +100,7 @@ class Scenario:
     @classmethod
     def from_json(cls, text: str) -> Scenario:
         """Read a scenario from JSON text."""
-        return cls._of(_engine.Scenario.parse(text, "json"))
+        return cls._of(_engine.Scenario.parse(text.removeprefix("\ufeff"), "json"))
 
     @classmethod
     def from_dict(cls, values: Mapping[str, Any]) -> Scenario:
@@ -217,12 +220,12 @@ class Scenario:
             What to keep.
         until : str or callable, optional
             End with the first event of this kind, or with the first event for which the function is true;
-            the run's status is then ``stopped``.
+            the run's status is then ``stopped``. A function needs the exact method, a kind does not.
 
         Raises
         ------
         ScenarioError
-            When the options do not fit the scenario.
+            When the options do not fit the scenario, or each other.
         SimulationError
             When the run breaks one of its own invariants.
         KeyboardInterrupt
@@ -245,7 +248,7 @@ class Scenario:
         max_events: int | None = None,
         record: Record | None = None,
     ) -> Simulation:
-        """Start a run that is taken one event at a time; the options are those of `run`."""
+        """Start a run that is taken one event at a time, with the exact method; the options are those of `run`."""
         options: dict[str, Any] = {"method": method, "duration": duration, "collisions": collisions}
         return self._start({**options, "max_events": max_events, "record": record})
 
@@ -265,6 +268,11 @@ class Scenario:
 
     def __repr__(self) -> str:
         return summary_of_scenario(self.to_dict())
+
+
+def _in_file(source: str | os.PathLike[str], place: str) -> str:
+    """Name the file where a place is a line of it; the path of a value says enough by itself."""
+    return f"{source}: {place}" if place.startswith("line ") else place
 
 
 def load(source: str | os.PathLike[str]) -> Scenario:

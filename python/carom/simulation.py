@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom import _engine
+from carom.errors import RunError
 from carom.events import Event, event_from
 
 if TYPE_CHECKING:
@@ -91,7 +92,17 @@ class Simulation:
             yield event
 
     def run_until(self, time: float) -> None:
-        """Go on to `time`, or to the end of the run if that is earlier."""
+        """Go on to `time`, or to the end of the run if that is earlier.
+
+        Raises
+        ------
+        RunError
+            When `time` is NaN, or lies before the present one: a simulation does not go back.
+        """
+        if time != time:
+            raise RunError(f"time: must be a number, got {time!r}")
+        if time < self.time:
+            raise RunError(f"time: {time:.17g} lies before {self.time:.17g}, where the simulation is")
         self._native.run_until(time)
 
     def run_until_true(self, predicate: Callable[[Event], bool]) -> Run:

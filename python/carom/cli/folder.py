@@ -1,8 +1,8 @@
-"""A folder of results: written beside its place and moved there when it is complete."""
+"""A folder of results: written under a hidden name and moved to its place when it is complete."""
 
 from __future__ import annotations
 
-import secrets
+import os
 import shutil
 import signal
 import threading
@@ -11,23 +11,31 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from carom.errors import ScenarioError
+from carom.files import speaking_of
 
 
 def check_free(folder: Path, names: Iterable[str], *, overwrite: bool) -> None:
     """Refuse a folder that holds files of these names, unless they may be overwritten."""
     if folder.exists() and not folder.is_dir():
         raise ScenarioError([("--out", f"{folder} is not a folder")])
-    if not overwrite and any((folder / name).exists() for name in names):
+    taken = [folder / name for name in names if (folder / name).exists()]
+    if taken and not overwrite:
         raise ScenarioError([("--out", f"{folder} already holds results; --overwrite replaces them")])
+    for path in taken:
+        if path.is_dir():
+            raise ScenarioError([("--out", f"{path} is a folder, and a file is to be there")])
 
 
 @contextmanager
 def filling(folder: Path, names: Iterable[str], mark: str) -> Iterator[Path]:
     """Give a new empty folder whose files are moved to `folder` when the block ends well.
 
-    When it does not, nothing remains. Files at `folder` that have one of the names but were not written anew
-    are removed; others stay. Ctrl-C is held back while files are moved, and the file named `mark` comes last:
-    where it stands, the others are complete.
+    When it does not, nothing remains and what was there stays. Files at `folder` that have one of the names but
+    were not written anew are removed after the others are in their places; files of other names stay. Ctrl-C is
+    held back while files are moved, and the file named `mark` comes last.
+
+    The new folder stands where its files can be renamed to their places: inside `folder` if that is there (it
+    may be a link, or another file system), or else in the nearest folder above it that is.
 
     Parameters
     ----------
@@ -36,29 +44,32 @@ def filling(folder: Path, names: Iterable[str], mark: str) -> Iterator[Path]:
     names : iterable of str
         The names that results have in such a folder.
     mark : str
-        The file that goes first and comes last.
+        The file that comes last.
     """
-    temporary = _nearest_existing(folder.parent) / f".{folder.name}.{secrets.token_hex(4)}"
+    target = Path(os.path.realpath(folder))
+    temporary = _nearest_existing(target) / f".{target.name}.{os.urandom(4).hex()}"
     try:
-        temporary.mkdir()
-    except OSError as error:
-        raise ScenarioError([("--out", f"{folder} cannot be made: {error.strerror}")]) from None
-    try:
-        yield temporary
-        with _uninterrupted():
-            _move_all(temporary, folder, names, mark)
+        try:
+            temporary.mkdir()
+        except OSError as error:
+            raise ScenarioError([("--out", f"{folder} cannot be written: {error.strerror}")]) from None
+        with speaking_of(temporary, folder):
+            yield temporary
+            with _uninterrupted():
+                _move_all(temporary, target, names, mark)
     finally:
-        shutil.rmtree(temporary, ignore_errors=True)
+        with _uninterrupted():
+            shutil.rmtree(temporary, ignore_errors=True)
 
 
 def _move_all(temporary: Path, folder: Path, names: Iterable[str], mark: str) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     written = sorted((path.name for path in temporary.iterdir()), key=lambda name: name == mark)
-    for name in [mark, *names]:
-        if name == mark or name not in written:
-            (folder / name).unlink(missing_ok=True)
     for name in written:
         (temporary / name).replace(folder / name)
+    for name in names:
+        if name not in written:
+            (folder / name).unlink(missing_ok=True)
 
 
 def _nearest_existing(folder: Path) -> Path:

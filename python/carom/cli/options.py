@@ -20,7 +20,16 @@ Settings = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="PATH=VALUE", help="Change a value, e.g. balls.red.velocity[0]=3.1. Repeatable."),
 ]
-Out = Annotated[Path | None, typer.Option(metavar="DIR", help="Write the results into this folder.")]
+
+
+def _folder(text: str) -> Path:
+    """Read a folder's name; an empty one, as an unset shell variable gives it, is none."""
+    if not text:
+        raise typer.BadParameter("needs the name of a folder; a dot is the working folder")
+    return Path(text)
+
+
+Out = Annotated[Path | None, typer.Option(parser=_folder, metavar="DIR", help="Write the results into this folder.")]
 Overwrite = Annotated[bool, typer.Option("--overwrite", help="Replace results that DIR already holds.")]
 Formats = Annotated[
     list[str] | None,

@@ -28,9 +28,6 @@ def reporting() -> Iterator[None]:
     except CaromError as error:
         say_error("", str(error))
         raise typer.Exit(PROBLEM) from None
-    except UnicodeDecodeError as error:
-        say_error("", f"not a text in UTF-8 (byte {error.start})")
-        raise typer.Exit(PROBLEM) from None
     except BrokenPipeError:
         raise
     except OSError as error:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -64,11 +63,12 @@ def run(
     """Compute a run; print its events and its diagnostics.
 
     With --out also write events.csv, trajectory.csv, steps.csv (stepped), run.json, figures (filmstrip,
-    paths, energy, speed, momentum) and animation.gif. Without it nothing is written.
+    paths, energy, speed, momentum) and animation.gif. Without it nothing is written. A run longer than 20 is
+    filmed faster than it is; animation_speed says how much.
     """
     kinds = options.read_formats(formats)
-    if sample is not None and not sample > 0.0:
-        raise typer.BadParameter("must be positive", param_hint="--sample")
+    if sample is not None and not 0.0 < sample < float("inf"):
+        raise typer.BadParameter("must be positive and finite", param_hint="--sample")
     if out is not None:
         check_free(out, NAMES, overwrite=overwrite)
     chosen = options.load_with(scenario, settings)
@@ -76,12 +76,14 @@ def run(
         method=_method(chosen, method, dt), duration=duration, collisions=collisions, max_events=max_events
     )
     written: list[str] = []
+    film_speed = None if out is None or no_animation else _film_speed(result)
     if out is not None:
         with filling(out, NAMES, MARK) as folder:
             written = _write_data(result, folder, sample)
             written += [] if no_figures else _write_figures(result, folder, kinds)
-            written += [] if no_animation else _write_film(result, folder)
-    _print_json(result, out, written) if as_json else _print_tables(result, out, written)
+            written += [] if film_speed is None else _write_film(result, folder, film_speed)
+    facts = {"out": None if out is None else str(out), "files": written, "animation_speed": film_speed}
+    _print_json(result, facts) if as_json else _print_tables(result, facts)
     if result.status == "collapsed" or (result.status == "event_limit" and max_events is None):
         say_error("run", f"ended by {result.status} at t = {result.end_time:g}, before its time")
         raise typer.Exit(PROBLEM)
@@ -104,7 +106,7 @@ def _method(scenario: Scenario, name: MethodName | None, dt: float | None) -> di
 
 def _write_data(run: Run, folder: Path, sample: float | None) -> list[str]:
     """Write what the run kept as tables, and the run itself."""
-    record = run.scenario.to_dict().get("record", "all")
+    record = _record(run)
     run.save(folder / MARK)
     written = [MARK]
     if record != "none":
@@ -124,7 +126,7 @@ def _write_data(run: Run, folder: Path, sample: float | None) -> list[str]:
 
 def _write_figures(run: Run, folder: Path, kinds: list[str]) -> list[str]:
     """Write the figures that the run has something for."""
-    if run.scenario.to_dict().get("record", "all") != "all":
+    if _record(run) != "all":
         return []
     from carom import figures
 
@@ -146,43 +148,54 @@ def _write_figures(run: Run, folder: Path, kinds: list[str]) -> list[str]:
     return written
 
 
-def _write_film(run: Run, folder: Path) -> list[str]:
-    """Write the film: at true speed, or as much faster as makes it last twenty seconds."""
-    if run.scenario.to_dict().get("record", "all") != "all" or run.end_time == 0.0:
-        return []
+def _film_speed(run: Run) -> float | None:
+    """Choose a film's speed: true, or so fast that it lasts twenty seconds; None where there is nothing to film."""
+    return max(1.0, run.end_time / LONGEST_FILM) if _record(run) == "all" and run.end_time > 0.0 else None
+
+
+def _write_film(run: Run, folder: Path, speed: float) -> list[str]:
     from carom.animation import animate
 
-    speed = max(1.0, run.end_time / LONGEST_FILM)
     animate(run, folder / FILM, speed=speed)
-    if speed > 1.0 and sys.stderr.isatty():
-        print(f"{FILM} runs {speed:.3g} times as fast", file=sys.stderr)
     return [FILM]
 
 
-def _print_json(run: Run, out: Path | None, written: list[str]) -> None:
-    events = {name: column.tolist() for name, column in run.events.to_dict().items()}
-    final = run.end_time
+def _record(run: Run) -> str:
+    """Give what the run kept: ``all``, ``events`` or ``none``."""
+    return str(run.scenario.to_dict().get("record", "all"))
+
+
+def _print_json(run: Run, facts: dict[str, Any]) -> None:
+    """Print a run and the facts about its files; its events are null where it kept none."""
+    events = None if _record(run) == "none" else run.events.to_dict()
+    columns = {name: column.tolist() for name, column in (events or {}).items()}
+    rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
     print_json(
         {
             "status": run.status,
-            "end_time": final,
+            "end_time": run.end_time,
             "digest": run.digest,
             "physics_version": run.physics_version,
             "diagnostics": run.diagnostics,
-            "events": [dict(zip(events, row, strict=True)) for row in zip(*events.values(), strict=True)],
-            "out": None if out is None else str(out),
-            "files": written,
+            "record": _record(run),
+            "events": None if events is None else rows,
+            **facts,
         }
     )
 
 
-def _print_tables(run: Run, out: Path | None, written: list[str]) -> None:
-    events = {name: run.events[name].tolist() for name in SHOWN}
-    print_table(events, title=run.scenario.title, most=MOST_ROWS)
+def _print_tables(run: Run, facts: dict[str, Any]) -> None:
+    """Print the events and the diagnostics, the facts about the run's files among them."""
+    record = _record(run)
+    if record == "none":
+        print("no events: the run kept none (record = none)")
+    else:
+        print_table({name: run.events[name].tolist() for name in SHOWN}, title=run.scenario.title, most=MOST_ROWS)
     print()
-    facts = {"status": run.status, "end_time": run.end_time, "digest": run.digest} | _flat(run.diagnostics)
-    facts |= {} if out is None else {"out": str(out), "files": " ".join(written)}
-    print_table({"diagnostic": list(facts), "value": list(facts.values())})
+    shown = {"status": run.status, "end_time": run.end_time, "digest": run.digest} | _flat(run.diagnostics)
+    shown |= {} if record == "all" else {"record": record}
+    shown |= _flat({**facts, "files": " ".join(facts["files"]) or None})
+    print_table({"diagnostic": list(shown), "value": list(shown.values())})
 
 
 def _flat(values: dict[str, Any], prefix: str = "") -> dict[str, Any]:

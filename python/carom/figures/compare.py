@@ -20,7 +20,8 @@ def plot_errors(comparison: Comparison, ax: Axes | None = None) -> Axes:
     """Draw, on two logarithmic scales, the error at the end against the time step.
 
     Filled marks are steps whose runs have the events of the exact run, open ones those that miss or add some;
-    the guide has slope 1, the order of the scheme, and goes through the smallest filled one.
+    the guide has slope 1, the order of the scheme, and goes through the smallest filled one. Where no step has an
+    error above zero, that is said in the figure.
 
     Parameters
     ----------
@@ -57,11 +58,17 @@ def plot_errors(comparison: Comparison, ax: Axes | None = None) -> Axes:
                 zorder=3,
             )
     _draw_guide(ax, steps[good] if good.any() else steps[positive], errors[good] if good.any() else errors[positive])
-    ax.set_xscale("log")
-    ax.set_yscale("log")
+    if positive.any():
+        ax.set_xscale("log")
+        ax.set_yscale("log")
     style.tidy_axes(ax)
     ax.set_xlabel(scene.label("time step Δt", "time"), fontsize=style.LABEL_SIZE)
     ax.set_ylabel(scene.label("position error at the end", "length"), fontsize=style.LABEL_SIZE)
+    if not positive.any():
+        ax.set(xticks=[], yticks=[])
+        words = "no error at any step"
+        ax.text(0.5, 0.5, words, transform=ax.transAxes, ha="center", color=style.INK, fontsize=style.LABEL_SIZE)
+        return ax
     ax.legend(
         loc="lower left",
         bbox_to_anchor=(0.0, 1.0),

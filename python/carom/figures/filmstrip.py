@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.patheffects import Normal, Stroke
 
+from carom.events import Event
 from carom.figures import style
 from carom.figures.moments import default_event, frame_times, just_before
 from carom.figures.scene import Scene
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from carom.events import Event
     from carom.run import Run
 
 PAGE_WIDTH = 7.2
@@ -98,11 +98,15 @@ def filmstrip(
     ------
     ValueError
         If the run has no event, or `frames` is not an odd number of three or more, or `axes` are not as many.
+    TypeError
+        If `around` is something else than an event.
     """
     if frames < 3 or frames % 2 == 0:
         raise ValueError(f"frames must be odd and at least 3, got {frames}")
+    if around is not None and not isinstance(around, Event):
+        raise TypeError(f"around: must be one event, such as run.events[0], got {around!r}")
     scene = Scene.of(run.scenario)
-    event = around or default_event(run, scene)
+    event = default_event(run, scene) if around is None else around
     times = frame_times(run, scene, event, frames)
     strip = Strip(run, scene, event, times, _arrow_scale(run, scene, times) if arrows else 0.0)
     chosen = _new_axes(scene, frames) if axes is None else list(axes)
