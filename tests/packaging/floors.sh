@@ -12,7 +12,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$python" -m venv "$work/environment"
 "$work/environment/bin/pip" install --quiet --constraint "$tests/packaging/floors.txt" \
-    "$(echo "$dist"/carom-*.whl)[data]" pytest hypothesis mpmath
+    "$(echo "$dist"/carom-*.whl)[data]" pytest hypothesis mpmath jsonschema
 cp -r "$tests" "$work/tests"
 cp -r "$tests/../pyproject.toml" "$tests/../reference" "$work"
 cd "$work"

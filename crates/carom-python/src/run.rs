@@ -1,9 +1,9 @@
 //! Runs.
 
 use crate::columns::{event_columns, step_columns};
-use crate::errors::{file_error, problem, query_error, run_error, simulation_error};
+use crate::errors::{file_error, problem, query_error, run_error, scenario_error, simulation_error};
 use crate::interrupt::interruptible;
-use crate::scenario::{self, Scenario};
+use crate::scenario::{Scenario, options};
 use crate::states::vectors;
 use carom::run::{self, Digest, Kind, PHYSICS_VERSION, QueryError};
 use carom::scenario::Scenario as Checked;
@@ -160,9 +160,8 @@ impl Run {
                 "the run was made with physics version {version}, and this is version {PHYSICS_VERSION}: run its scenario anew"
             )));
         }
-        let unlimited =
-            Checked { duration: None, collisions: None, max_events: None, ..self.scenario.clone() };
-        let (scenario, until) = scenario::with_options(&unlimited, options_json)?;
+        let (values, until) = options(options_json)?;
+        let scenario = simulate::prolonged(&self.scenario, &values).map_err(scenario_error)?;
         if scenario.duration.is_some_and(|end| end < self.run.end_time) {
             return Err(problem("duration", &format!("the run has come to {:?} already", self.run.end_time)));
         }

@@ -11,6 +11,9 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde_json::{Map, Value, json};
 
+/// Values of a scenario, by their paths.
+type Values = Vec<(String, Value)>;
+
 /// A checked scenario.
 #[pyclass(frozen, module = "carom._engine")]
 pub struct Scenario(scenario::Scenario);
@@ -105,10 +108,15 @@ pub fn with_options(
     scenario: &scenario::Scenario,
     options_json: &str,
 ) -> PyResult<(scenario::Scenario, Option<Kind>)> {
+    let (values, until) = options(options_json)?;
+    Ok((scenario.with_values(&values).map_err(scenario_error)?, until))
+}
+
+/// The options of a run as values of its scenario, and the kind of event to stop at.
+pub fn options(options_json: &str) -> PyResult<(Values, Option<Kind>)> {
     let (until, values): (Vec<_>, Vec<_>) =
         entries(options_json)?.into_iter().partition(|(name, _)| name == "until");
-    let until = until.first().map(|(_, word)| kind(word)).transpose()?;
-    Ok((scenario.with_values(&values).map_err(scenario_error)?, until))
+    Ok((values, until.first().map(|(_, word)| kind(word)).transpose()?))
 }
 
 fn kind(word: &Value) -> PyResult<Kind> {
@@ -117,7 +125,7 @@ fn kind(word: &Value) -> PyResult<Kind> {
 }
 
 /// The keys and values of a JSON object, in order.
-fn entries(text: &str) -> PyResult<Vec<(String, Value)>> {
+fn entries(text: &str) -> PyResult<Values> {
     let object: Map<String, Value> =
         serde_json::from_str(text).map_err(|error| PyValueError::new_err(error.to_string()))?;
     Ok(object.into_iter().collect())

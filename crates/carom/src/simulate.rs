@@ -1,12 +1,15 @@
 //! From a scenario to a run, by the method that the scenario names.
 
+mod verify;
+
 use crate::engine::{Limits, Simulation};
-use crate::run::{Digest, Event, Kind, Log, PHYSICS_VERSION, Run, SimulationError, Status};
-use crate::scenario::schema::{Method, Record, Table};
-use crate::scenario::{Scenario, System};
+use crate::run::{Kind, Log, PHYSICS_VERSION, Run, SimulationError, Status};
+use crate::scenario::schema::{Method, Record};
+use crate::scenario::{Scenario, ScenarioError, System};
 use crate::stepped::{self, Ends, Readings};
-use serde::Serialize;
+use serde_json::Value;
 use std::sync::Arc;
+pub use verify::{Difference, verify};
 
 /// The event budget of a scenario that names neither one nor a number of collisions.
 pub const DEFAULT_MAX_EVENTS: u64 = 10_000_000;
@@ -26,12 +29,18 @@ pub fn simulate_until(
     until: Option<Kind>,
     interrupted: &mut dyn FnMut() -> bool,
 ) -> Result<Run<f64>, SimulationError> {
-    if let Method::Stepped { .. } = scenario.method {
-        return Ok(simulate_stepped(scenario, until, interrupted));
+    if let Some(scheme) = scheme_of(scenario) {
+        return Ok(scheme.simulate(scenario, until, interrupted));
     }
     let mut log = log_of(scenario);
     let simulation = Simulation::new(Arc::new(System::new(scenario)), limits_of(scenario, until), &mut log);
     go_on(simulation, log, interrupted)
+}
+
+/// The scenario of a longer run: without the ends of the one that was run, and with these values put in.
+pub fn prolonged(scenario: &Scenario, values: &[(String, Value)]) -> Result<Scenario, ScenarioError> {
+    let ends = ["duration", "collisions", "max_events"].map(|key| (key.to_owned(), Value::Null));
+    scenario.with_values(&[&ends, values].concat())
 }
 
 /// Goes on from the end of a run of the same balls on the same table, up to the scenario's limits.
@@ -44,9 +53,9 @@ pub fn resume(
     until: Option<Kind>,
     interrupted: &mut dyn FnMut() -> bool,
 ) -> Result<Run<f64>, SimulationError> {
-    if run.steps.is_some() {
+    if let Some(scheme) = scheme_of(scenario) {
         // A short last step is not one of the longer run's, so the steps are made anew.
-        return Ok(simulate_stepped(scenario, until, interrupted));
+        return Ok(scheme.simulate(scenario, until, interrupted));
     }
     go_on(Simulation::resume(run, limits_of(scenario, until)), run.log.clone(), interrupted)
 }
@@ -84,157 +93,42 @@ fn max_events(scenario: &Scenario) -> u64 {
     scenario.max_events.unwrap_or(budget)
 }
 
-fn simulate_stepped(
-    scenario: &Scenario,
-    until: Option<Kind>,
-    interrupted: &mut dyn FnMut() -> bool,
-) -> Run<f64> {
-    let (readings, steps) = match &scenario.method {
-        Method::Stepped { dt, after_hit, normal, last_step, steps } => {
-            let readings =
-                Readings { dt: *dt, after_hit: *after_hit, normal: *normal, last_step: *last_step };
-            (readings, *steps)
-        }
-        Method::Exact => unreachable!("only called for the stepped method"),
-    };
-    let size = match scenario.table {
-        Table::Rectangle { width, length, .. } => [width, length],
-        _ => unreachable!("a checked stepped scenario has a rectangle"),
-    };
-    let mut ends = Ends {
-        duration: scenario.duration.filter(|_| steps.is_none()).unwrap_or(f64::INFINITY),
-        steps: steps.unwrap_or(u64::MAX),
-        collisions: scenario.collisions.unwrap_or(u64::MAX),
-        events: max_events(scenario),
-        until,
-        interrupted,
-    };
-    stepped::run(Arc::new(System::new(scenario)), size, &readings, &mut ends, log_of(scenario))
+/// The fixed-step method of a scenario, with all that it asks for.
+struct Scheme {
+    readings: Readings<f64>,
+    /// The number of steps, where that is given.
+    steps: Option<u64>,
+    /// Width and length of the rectangle.
+    size: [f64; 2],
 }
 
-/// The first thing in which a run computed again differs from the one that was saved.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Difference {
-    /// What differs, such as `events[3].time`.
-    pub place: String,
-    /// What was saved.
-    pub saved: String,
-    /// What came out now.
-    pub now: String,
+/// The fixed-step method, if the scenario names it.
+fn scheme_of(scenario: &Scenario) -> Option<Scheme> {
+    let Method::Stepped { dt, after_hit, normal, last_step, steps } = scenario.method else { return None };
+    // A checked scenario of this method has a rectangle, which is its own bounding box.
+    let size = scenario.table.layout(&mut |_, value| value).bounds.max;
+    let readings = Readings { dt, after_hit, normal, last_step };
+    Some(Scheme { readings, steps, size: [size.x, size.y] })
 }
 
-/// Runs a scenario again and compares; `None` when every bit is the same, or when `interrupted` broke it off.
-///
-/// A run that was stopped from outside is compared up to where it was. Where one made with another version of the physics
-/// differs, that version is the difference: `physics_version`.
-pub fn verify(
-    scenario: &Scenario,
-    saved: &Run<f64>,
-    interrupted: &mut dyn FnMut() -> bool,
-) -> Result<Option<Difference>, SimulationError> {
-    let mut broken_off = false;
-    let mut note = || {
-        broken_off |= interrupted();
-        broken_off
-    };
-    let now = match (saved.status, &saved.steps) {
-        (Status::Stopped | Status::Interrupted, None) => rerun_part(scenario, saved, &mut note)?,
-        (Status::Stopped | Status::Interrupted, Some(steps)) => {
-            let part = with_steps(scenario, steps.count);
-            let mut now = simulate_until(&part, None, &mut note)?;
-            now.status = saved.status;
-            now
-        }
-        _ => simulate_until(scenario, None, &mut note)?,
-    };
-    Ok(if broken_off { None } else { first_difference(saved, &now).map(|found| explained(found, saved)) })
-}
-
-fn rerun_part(
-    scenario: &Scenario,
-    saved: &Run<f64>,
-    interrupted: &mut dyn FnMut() -> bool,
-) -> Result<Run<f64>, SimulationError> {
-    let mut log = log_of(scenario);
-    let limits = limits_of(scenario, None);
-    let mut simulation = Simulation::new(Arc::new(System::new(scenario)), limits, &mut log);
-    let events = saved.diagnostics.total_events();
-    while simulation.diagnostics().total_events() < events && simulation.step(&mut log)? {
-        if simulation.diagnostics().total_events().is_multiple_of(SLICE) && interrupted() {
-            simulation.stop(Status::Interrupted);
-        }
+impl Scheme {
+    fn simulate(
+        &self,
+        scenario: &Scenario,
+        until: Option<Kind>,
+        interrupted: &mut dyn FnMut() -> bool,
+    ) -> Run<f64> {
+        let mut ends = Ends {
+            duration: scenario.duration.filter(|_| self.steps.is_none()).unwrap_or(f64::INFINITY),
+            steps: self.steps.unwrap_or(u64::MAX),
+            collisions: scenario.collisions.unwrap_or(u64::MAX),
+            events: max_events(scenario),
+            until,
+            interrupted,
+        };
+        let system = Arc::new(System::new(scenario));
+        stepped::run(system, self.size, &self.readings, &mut ends, log_of(scenario))
     }
-    simulation.stop_at(saved.status, saved.end_time, &mut log)?;
-    Ok(simulation.finish(log))
-}
-
-/// A scenario of the fixed-step method that ends after a number of steps.
-fn with_steps(scenario: &Scenario, count: u64) -> Scenario {
-    let mut part = scenario.clone();
-    if let Method::Stepped { steps, .. } = &mut part.method {
-        *steps = Some(count);
-    }
-    part
-}
-
-/// What a difference comes from: the bits of another version of the physics need not be the same.
-fn explained(found: Difference, saved: &Run<f64>) -> Difference {
-    if is_same_physics(saved.physics_version) {
-        return found;
-    }
-    let versions = [saved.physics_version, PHYSICS_VERSION].map(|version| version.to_string());
-    let [saved, now] = versions;
-    Difference { place: "physics_version".to_owned(), saved, now }
-}
-
-fn first_difference(saved: &Run<f64>, now: &Run<f64>) -> Option<Difference> {
-    let difference =
-        |place: &str, saved: String, now: String| Difference { place: place.to_owned(), saved, now };
-    if let Some((k, a, b)) = first_unequal(&saved.log.events, &now.log.events) {
-        return Some(difference_of_events(k, a, b));
-    }
-    if let Some((k, a, b)) = first_unequal(&saved.log.flights, &now.log.flights) {
-        return Some(difference(&format!("flights[{k}]"), format!("{a:?}"), format!("{b:?}")));
-    }
-    let steps = [saved, now].map(|run| run.steps.as_ref().map_or(&[][..], |steps| &steps.steps));
-    if let Some((k, a, b)) = first_unequal(steps[0], steps[1]) {
-        return Some(difference(&format!("steps[{k}]"), format!("{a:?}"), format!("{b:?}")));
-    }
-    let counts = [saved, now].map(|run| run.diagnostics.total_events());
-    let digests = [saved, now].map(|run| run.digest().unwrap_or_else(Digest::none));
-    let fields = [
-        ("events", counts.map(|n| n.to_string())),
-        ("status", [saved, now].map(|run| run.status.name().to_owned())),
-        ("end_time", [saved, now].map(|run| format!("{:?}", run.end_time))),
-        ("digest", digests.map(|digest| digest.state)),
-    ];
-    fields.into_iter().find(|(_, [a, b])| a != b).map(|(place, [a, b])| difference(place, a, b))
-}
-
-fn first_unequal<'a, T: PartialEq>(saved: &'a [T], now: &'a [T]) -> Option<(usize, &'a T, &'a T)> {
-    let pairs = saved.iter().zip(now).enumerate();
-    pairs.map(|(k, (a, b))| (k, a, b)).find(|(_, a, b)| a != b)
-}
-
-fn difference_of_events(k: usize, saved: &Event<f64>, now: &Event<f64>) -> Difference {
-    let words = |event: &Event<f64>| {
-        let numbers = |x: f64, y: f64| format!("[{x:?}, {y:?}]");
-        [
-            ("time", format!("{:?}", event.time)),
-            ("kind", event.kind.name().to_owned()),
-            ("ball_a", event.ball_a.to_string()),
-            ("ball_b", format!("{:?}", event.ball_b)),
-            ("cushion", format!("{:?}", event.cushion)),
-            ("point", numbers(event.point.x, event.point.y)),
-            ("normal", numbers(event.normal.x, event.normal.y)),
-            ("closing_speed", format!("{:?}", event.closing_speed)),
-            ("impulse", format!("{:?}", event.impulse)),
-            ("cluster", format!("{:?}", event.cluster)),
-        ]
-    };
-    let pairs = words(saved).into_iter().zip(words(now)).find(|((_, a), (_, b))| a != b);
-    let ((field, saved), (_, now)) = pairs.unwrap_or_default();
-    Difference { place: format!("events[{k}].{field}"), saved, now }
 }
 
 /// Whether a run of that version of the physics was made by this one.

@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 
 /// Rooms in order; rooms of one row do not know each other.
-const ROWS: [&[&str]; 9] = [
+const ROWS: [&[&str]; 10] = [
     &["scalar"],
     &["geometry"],
     &["roots"],
@@ -15,6 +15,7 @@ const ROWS: [&[&str]; 9] = [
     &["scenario"],
     &["run"],
     &["engine", "stepped"],
+    &["simulate"],
 ];
 
 fn root() -> PathBuf {

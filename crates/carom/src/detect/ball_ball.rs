@@ -18,7 +18,7 @@ struct Relative<S> {
 impl<S: Scalar> Relative<S> {
     #[inline(always)]
     fn straight(a: &Flight<S>, b: &Flight<S>) -> Self {
-        let start = if a.start > b.start { a.start } else { b.start };
+        let start = a.later_start(b);
         let (after_a, after_b) = (start - a.start, start - b.start);
         Self {
             position: (b.position + b.velocity * after_b) - (a.position + a.velocity * after_a),
@@ -28,7 +28,7 @@ impl<S: Scalar> Relative<S> {
     }
 
     fn new(a: &Flight<S>, b: &Flight<S>) -> Self {
-        let start = if a.start > b.start { a.start } else { b.start };
+        let start = a.later_start(b);
         let (after_a, after_b) = (start - a.start, start - b.start);
         let (velocity_a, velocity_b) = (a.velocity_after(after_a), b.velocity_after(after_b));
         Self {
@@ -95,7 +95,7 @@ fn squared_tolerance<S: Scalar>(tolerance: &ContactTolerance<S>, radii: S) -> S 
 /// the contact tolerance, for a third ball that was just not touched by two that met.
 #[cold]
 fn rounding_of_time<S: Scalar>(a: &Flight<S>, b: &Flight<S>, relative: &Relative<S>, radii: S) -> S {
-    let start = if a.start > b.start { a.start } else { b.start };
+    let start = a.later_start(b);
     let speed = closing_threshold(relative.speeds[0], relative.speeds[1]);
     S::from_f64(2.0) * radii * speed * start.abs()
 }

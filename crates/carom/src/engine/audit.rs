@@ -1,7 +1,7 @@
 //! Sums over all balls: energy and momentum, and the audit of a run's energy.
 
 use super::discs::{Discs, Fault};
-use crate::flight::{Flight, State};
+use crate::flight::State;
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Discs<S> {
@@ -29,14 +29,8 @@ impl<S: Scalar> Discs<S> {
 
     /// Whether all balls that move would not cross the table by a time, however late.
     pub fn is_slower_than(&self, latest: S) -> bool {
-        let arrival = |flight: &Flight<S>| {
-            let speed = flight.velocity.x.abs() + flight.velocity.y.abs();
-            flight.start + self.system.tolerance.table_size() / speed
-        };
-        self.balls
-            .iter()
-            .map(|ball| &ball.flight)
-            .all(|f| f.is_rest() || (f.is_straight() && arrival(f) > latest))
+        let size = self.system.tolerance.table_size();
+        self.balls.iter().all(|ball| ball.flight.is_rest_within(size, latest))
     }
 
     /// Sums the energy and notes how far it is from what the laws account for.

@@ -79,7 +79,7 @@ impl<S: Scalar> Discs<S> {
             }
             let offset = detect_ball_in_the_clear(flight, &their.flight, radii, &system.tolerance)?;
             let target = Target::Ball(other as u32, their.track.changes);
-            next = next.earlier(later(flight.start, their.flight.start), Some(offset), target);
+            next = next.earlier(flight.later_start(&their.flight), Some(offset), target);
         }
         Some(next)
     }
@@ -139,7 +139,7 @@ impl<S: Scalar> Discs<S> {
             if let Some(offset) =
                 detect_ball_ball(flight, &their.flight, radii, &system.tolerance, other == struck, seen)
             {
-                let start = later(flight.start, their.flight.start);
+                let start = flight.later_start(&their.flight);
                 next = next.earlier(start, Some(offset), Target::Ball(other as u32, their.track.changes));
             }
         }
@@ -224,9 +224,4 @@ impl<S: Scalar> Discs<S> {
             }
         }
     }
-}
-
-#[inline(always)]
-fn later<S: Scalar>(a: S, b: S) -> S {
-    if a > b { a } else { b }
 }

@@ -160,7 +160,7 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     fn collision(&self, balls: [usize; 2], time: S, offset: S) -> Collision<S> {
         let [a, b] = balls.map(|ball| &self.balls[ball]);
-        let start = if a.flight.start > b.flight.start { a.flight.start } else { b.flight.start };
+        let start = a.flight.later_start(&b.flight);
         let before = [a, b].map(|Ball { flight, .. }| {
             let State { position, velocity } = self.state_after(flight, start - flight.start);
             self.state_after(&Flight { position, velocity, ..*flight }, offset)

@@ -53,6 +53,12 @@ impl<S: Scalar> Flight<S> {
         State { position: self.position + self.velocity * elapsed, velocity: self.velocity }
     }
 
+    /// The later of the starts of two flights: the moment from which on both are known.
+    #[inline(always)]
+    pub fn later_start(&self, other: &Self) -> S {
+        if self.start > other.start { self.start } else { other.start }
+    }
+
     /// Whether the flight has no acceleration.
     #[inline(always)]
     pub fn is_straight(&self) -> bool {
@@ -62,5 +68,11 @@ impl<S: Scalar> Flight<S> {
     /// Whether the disc does not move, now or later.
     pub fn is_rest(&self) -> bool {
         self.is_straight() && self.velocity == Vec2::ZERO
+    }
+
+    /// Whether the disc does not move, or so slowly that it has not gone `distance` by the time `latest`.
+    pub fn is_rest_within(&self, distance: S, latest: S) -> bool {
+        let speed = self.velocity.x.abs() + self.velocity.y.abs();
+        self.is_rest() || (self.is_straight() && self.start + distance / speed > latest)
     }
 }

@@ -35,11 +35,6 @@ impl Kind {
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
     }
-
-    /// Whether it counts as a collision.
-    pub fn is_collision(self) -> bool {
-        matches!(self, Self::BallBall | Self::BallCushion)
-    }
 }
 
 /// A row of the event log.

@@ -51,6 +51,8 @@ pub struct Run<S> {
     pub balls: Vec<(Flight<S>, Track<S>)>,
     /// The steps of the fixed-step method, whose states are not those of flights.
     pub steps: Option<Steps<S>>,
+    /// The digest in the file that it was read from; `None` for a run computed here.
+    pub saved_digest: Option<Digest>,
     flights_of_balls: OnceLock<Vec<Vec<u32>>>,
 }
 
@@ -120,6 +122,7 @@ impl<S: Scalar> Run<S> {
             log,
             balls,
             steps: None,
+            saved_digest: None,
             flights_of_balls: OnceLock::new(),
         }
     }

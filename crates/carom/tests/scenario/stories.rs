@@ -52,7 +52,7 @@ fn collisions_count_the_digits_of_pi() {
 
 #[test]
 fn one_ball_into_two_gives_the_symmetric_answer() {
-    let [cue, upper, lower] = velocities(&run("one_into_two"), 2.0)[..] else { unreachable!() };
+    let [cue, upper, lower] = velocities(&run("one_into_two"), 2.0)[..] else { panic!("three balls") };
     assert!((cue[0] + 0.2).abs() < 1e-14 && cue[1].abs() < 1e-14);
     // 0.6928 at 30 degrees is 2 √3/5 (cos 30°, sin 30°) = (0.6, 0.2 √3).
     assert!((upper[0] - 0.6).abs() < 1e-14 && (upper[1] - 0.12f64.sqrt()).abs() < 1e-14);

@@ -57,7 +57,7 @@ impl<S: Scalar> Discs<S> {
             return None;
         }
         let (a, b) = (&member.flight, &other.flight);
-        let start = if a.start > b.start { a.start } else { b.start };
+        let start = a.later_start(b);
         let (tolerance, mut seen) = (&self.system.tolerance, Surroundings::CLEAR);
         let offset = detect_ball_ball(a, b, radii, tolerance, false, &mut seen)?;
         (start + offset == time).then_some(start - a.start + offset)

@@ -4,8 +4,8 @@ use crate::scenario::nearest::nearest;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A colour: one of the 148 colour names of CSS in small letters, "#rgb" or "#rrggbb" in hexadecimal digits, or
-/// [red, green, blue] with numbers from 0 to 1.
+/// A colour: one of the 148 colour names of CSS, "#rgb" or "#rrggbb" in hexadecimal digits, or [red, green, blue] with
+/// numbers from 0 to 1.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Color {
@@ -19,17 +19,18 @@ impl Color {
     /// Whether this is a colour; if not, what is wrong.
     pub fn check(&self) -> Result<(), String> {
         let Color::Text(text) = self else { return Ok(()) };
+        let lowercase = text.to_ascii_lowercase();
         let known = match text.strip_prefix('#') {
             Some(digits) => {
                 [3, 6].contains(&digits.len()) && digits.chars().all(|digit| digit.is_ascii_hexdigit())
             }
-            None => COLOR_NAMES.contains(&text.as_str()),
+            None => COLOR_NAMES.contains(&lowercase.as_str()),
         };
         if known {
             return Ok(());
         }
-        let near =
-            nearest(text, &COLOR_NAMES).map_or_else(String::new, |near| format!("; did you mean {near}?"));
+        let near = nearest(&lowercase, &COLOR_NAMES)
+            .map_or_else(String::new, |near| format!("; did you mean {near}?"));
         Err(format!("{text:?} is no CSS colour name, #rgb or #rrggbb{near}"))
     }
 }

@@ -1,0 +1,86 @@
+"""The JSON Schema of scenarios, tried by a validator that knows nothing of the engine."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from jsonschema import Draft202012Validator
+
+import carom
+
+Values = dict[str, Any]
+
+
+@pytest.fixture(scope="module")
+def validator() -> Draft202012Validator:
+    schema = json.loads(carom.schema())
+    Draft202012Validator.check_schema(schema)
+    return Draft202012Validator(schema)
+
+
+@pytest.mark.parametrize("name", carom.scenarios())
+def test_ready_made_scenario_is_valid(validator: Draft202012Validator, name: str) -> None:
+    assert list(validator.iter_errors(carom.load(name).to_dict())) == []
+
+
+def _unknown_key(values: Values) -> None:
+    values["balls"][0]["colour"] = "red"
+
+
+def _negative_radius(values: Values) -> None:
+    values["ball_defaults"]["radius"] = -0.075
+
+
+def _unknown_shape(values: Values) -> None:
+    values["table"]["shape"] = "hexagon"
+
+
+def _position_in_space(values: Values) -> None:
+    values["balls"][1]["position"] = [0.5, 1.0, 0.0]
+
+
+def _duration_in_words(values: Values) -> None:
+    values["duration"] = "five seconds"
+
+
+def _no_balls(values: Values) -> None:
+    del values["balls"]
+
+
+def _unknown_law(values: Values) -> None:
+    values["physics"]["ball_cushion"] = {"law": "damping", "normal": 0.8}
+
+
+BREAKS = [
+    _unknown_key,
+    _negative_radius,
+    _unknown_shape,
+    _position_in_space,
+    _duration_in_words,
+    _no_balls,
+    _unknown_law,
+]
+
+
+@pytest.mark.parametrize("break_it", BREAKS)
+def test_what_the_schema_refuses_the_engine_refuses(
+    validator: Draft202012Validator, break_it: Callable[[Values], None]
+) -> None:
+    values = carom.load("midterm").to_dict()
+    assert validator.is_valid(values)
+    break_it(values)
+    assert not validator.is_valid(values)
+    with pytest.raises(carom.ScenarioError):
+        carom.Scenario.from_dict(values)
+
+
+def test_files_are_valid_as_they_are_written(validator: Draft202012Validator) -> None:
+    tomllib = pytest.importorskip("tomllib")
+    folder = Path(__file__).parent.parent / "scenarios"
+    files = sorted(folder.glob("*.toml"))
+    if not files:
+        pytest.skip("the ready-made scenarios are not beside the tests")
+    for path in files:
+        assert validator.is_valid(tomllib.loads(path.read_text(encoding="utf-8"))), path.name
