@@ -52,7 +52,12 @@ pub fn detect_cushion_in_the_clear<S: Scalar>(
         Some(room) => detect_wall(flight, radius, room, tolerance, struck)?,
         None => (usize::MAX, S::INFINITY),
     };
-    if faces.is_room { Some(wall) } else { detect_other(flight, radius, faces, tolerance, struck, wall) }
+    if faces.is_room {
+        return Some(wall);
+    }
+    // A copy, so that the flight itself can stay in registers where there is nothing but a room.
+    let flight = *flight;
+    detect_other(&flight, radius, faces, tolerance, struck, wall)
 }
 
 /// The first cushion that is not a wall of the room, unless the wall `first` comes before it; `None` as above.

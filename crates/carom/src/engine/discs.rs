@@ -109,7 +109,7 @@ impl<S: Scalar> Discs<S> {
     pub fn step(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
         loop {
             let (ball, Pending { time, offset, target }) = self.queue.first();
-            if time > limit || time == S::INFINITY {
+            if time > limit {
                 return None;
             }
             match target {
