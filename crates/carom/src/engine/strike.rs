@@ -130,6 +130,7 @@ impl<S: Scalar> Discs<S> {
     }
 
     /// Two balls meet.
+    #[inline(never)]
     pub(super) fn strike_ball(
         &mut self,
         ball: usize,
