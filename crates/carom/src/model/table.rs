@@ -5,12 +5,12 @@
 //! | rectangle | `bottom`, `right`, `top`, `left` (counter-clockwise from the origin) |
 //! | circle | `rim` |
 //! | path | its pieces |
-//! | obstacle `k` that is a circle | `k` |
-//! | obstacle `k` that is a path | `k.<piece>` |
-//! | obstacle `k` that is a wall | `k.a` (left of its direction), `k.b` (right of it) |
+//! | obstacle `id` that is a circle | `id` |
+//! | obstacle `id` that is a path | `id.<piece>` |
+//! | obstacle `id` that is a wall | `id.a` (left of its direction), `id.b` (right of it) |
 //!
-//! A corner is named after the two cushions that meet there, in the order of the boundary: `k.a/k.b` is the last point
-//! of wall `k`.
+//! Obstacle number k is `obstacle<k>` if it has no id of its own. A corner is named after the two cushions that meet
+//! there, in the order of the boundary: `id.a/id.b` is the last point of a wall.
 
 use crate::geometry::{Arc, Bounds, Piece, Segment, Vec2, turn};
 use crate::scalar::Scalar;

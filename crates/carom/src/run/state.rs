@@ -16,11 +16,11 @@ use thiserror::Error;
 /// What a ball carries from event to event beside its flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Track<S> {
-    /// Changes of course so far.
+    /// Changes of course so far, of which a contact in a cluster may make two.
     pub changes: u64,
     /// Straight cushions that hold the ball.
     pub held_by: [Option<u32>; 2],
-    /// The cushion it touched last; tells a point on which side of a thin wall it is.
+    /// The cushion it touched last, where there are thin walls or a field; tells a point on which side of a wall it is.
     pub last_cushion: Option<u32>,
     /// The velocity with which a point came to it, where there are thin walls; tells the same where several meet.
     pub arrival: Vec2<S>,
