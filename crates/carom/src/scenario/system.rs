@@ -31,6 +31,8 @@ pub struct System<S> {
     pub field: Vec2<S>,
     /// The law between balls.
     pub ball_ball: ball_ball::Restitution<S>,
+    /// Whether no law takes any energy.
+    pub is_elastic: bool,
     /// The law of several contacts at one instant.
     pub cluster: Cluster,
     /// For each ball the time t_c within which contacts count as following each other too fast.
@@ -76,6 +78,7 @@ impl<S: Scalar> System<S> {
         };
         let mut cushion_laws: Vec<_> = table.cushions().map(|c| laws.of(&c.id)).collect();
         cushion_laws.extend(table.corners.iter().map(|c| corner_law(c, &cushion_laws)).collect::<Vec<_>>());
+        let ball_ball = ball_ball_law(&scenario.physics.ball_ball, number);
         let faces = faces(&table);
         let tolerance = ContactTolerance::new(&table);
         let backs = backs(&faces, tolerance.of(S::ZERO));
@@ -89,7 +92,9 @@ impl<S: Scalar> System<S> {
             collapse_times: collapse_times(&discs, &flights, field, table.size()),
             collapse_is_elastic: scenario.physics.collapse == Collapse::Tc,
             has_backs: backs.iter().any(Option::is_some),
-            ball_ball: ball_ball_law(&scenario.physics.ball_ball, number),
+            is_elastic: ball_ball == ball_ball::Restitution::ELASTIC
+                && cushion_laws.iter().all(|law| *law == ball_cushion::Restitution::ELASTIC),
+            ball_ball,
             cluster: scenario.physics.cluster,
             duration: scenario.duration.map(|value| number(&"duration", value)),
             ball_ids: scenario.balls.iter().map(|ball| ball.id.clone()).collect(),

@@ -219,6 +219,18 @@ fn bouncing(balls: f64, cushions: f64) -> Value {
 }
 
 #[test]
+fn a_run_accounts_for_energy_and_momentum_of_its_elastic_clusters() {
+    let mut scenario = rack(2.0, &bouncing(1.0, 1.0));
+    scenario.duration = Some(1.0);
+    let found = simulate(&scenario).unwrap().diagnostics;
+    assert!(found.clusters > 0 && found.energy_loss == 0.0, "{found:?}");
+    // Sixteen balls, a dozen passes, each with a few roundings of the energy and of the momentum, which are about 2.
+    let bound = 16.0 * 12.0 * 4.0 * f64::EPSILON;
+    assert!(found.energy_error < bound && found.energy_drift < 2.0 * bound, "{found:?}");
+    assert!(found.momentum_error > 0.0 && found.momentum_error < bound, "{found:?}");
+}
+
+#[test]
 fn a_rack_ends_and_gains_no_energy_at_any_restitution() {
     for e in restitutions() {
         let at = format!("rack, e = {e}");

@@ -55,6 +55,7 @@ impl<S: Scalar> Discs<S> {
         let mut members = self.gather(struck, time);
         self.place(&mut members, time);
         let contacts = self.contacts(&members);
+        let forced = self.diagnostics.forced_clusters;
         let events = if members.len() == 1 {
             self.resolve_corner(&mut members[0], &contacts, time)
         } else {
@@ -62,7 +63,7 @@ impl<S: Scalar> Discs<S> {
         };
         // Where nothing closes, nothing happened.
         self.diagnostics.clusters += u64::from(!events.is_empty());
-        self.account_cluster(&members);
+        self.account_cluster(&members, &contacts, self.diagnostics.forced_clusters > forced);
         let moved = self.start_flights(struck, &members, &contacts, time);
         for event in &events {
             self.emit(event, observer);
@@ -73,17 +74,27 @@ impl<S: Scalar> Discs<S> {
         }
     }
 
-    fn account_cluster(&mut self, members: &[Member<S>]) {
+    /// Accounts for what the cluster did to energy and momentum. Between several balls laws that lose nothing are held to
+    /// it; what lossy ones take no formula says, nor what a ball loses that has no room to bounce.
+    fn account_cluster(&mut self, members: &[Member<S>], contacts: &[Contact<S>], is_forced: bool) {
         let mut change = S::ZERO;
+        let mut momentum = Vec2::ZERO;
         for member in members {
             let mass = self.balls[member.ball].disc.mass;
             change += mass * (member.velocity.norm_squared() - member.before.norm_squared());
+            momentum = momentum + (member.velocity - member.before) * mass;
         }
         let change = (change * S::from_f64(0.5)).to_f64();
         if change > 0.0 {
             self.diagnostics.energy_gain = self.diagnostics.energy_gain.max(change);
         }
-        self.diagnostics.energy_loss -= change;
+        let is_lossless = members.len() > 1 && self.system.is_elastic && !is_forced;
+        let loss = if is_lossless { 0.0 } else { -change };
+        self.diagnostics.account(change, loss);
+        if contacts.iter().all(|contact| contact.cushion.is_none()) {
+            let error = momentum.x.abs() + momentum.y.abs();
+            self.diagnostics.momentum_error = self.diagnostics.momentum_error.max(error.to_f64());
+        }
     }
 
     /// Starts the flights of the struck balls and of those whose velocity changed; gives their places among the members.
