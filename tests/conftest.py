@@ -1,8 +1,14 @@
 """What the tests share."""
 
+import signal
+
 import pytest
 
 import carom
+
+# A shell starts what runs in the background with Ctrl-C ignored, and children inherit that; these tests press it.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")
