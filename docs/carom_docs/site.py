@@ -1,0 +1,43 @@
+"""What Sphinx does beside its own work: generated pages and parts, pictures, and formulas as MathML."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from docutils import nodes
+from docutils.utils.math import latex2mathml
+
+from carom_docs import api, pictures
+from carom_docs.parts import with_parts
+
+if TYPE_CHECKING:
+    from sphinx.application import Sphinx
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Register everything with Sphinx."""
+    app.connect("builder-inited", _generate)
+    app.connect("source-read", _fill_in)
+    app.add_html_math_renderer("mathml", inline_renderers=(_inline, None), block_renderers=(_display, None))
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def _generate(app: Sphinx) -> None:
+    folder = Path(app.srcdir)
+    api.write(folder / "reference" / "api")
+    pictures.write(folder / "pictures")
+
+
+def _fill_in(app: Sphinx, name: str, source: list[str]) -> None:
+    source[0] = with_parts(source[0])
+
+
+def _inline(translator: Any, node: nodes.math) -> None:
+    translator.body.append(latex2mathml.tex2mathml(node.astext(), as_block=False))
+    raise nodes.SkipNode
+
+
+def _display(translator: Any, node: nodes.math_block) -> None:
+    translator.body.append(latex2mathml.tex2mathml(node.astext(), as_block=True))
+    raise nodes.SkipNode
