@@ -1,7 +1,7 @@
 """The pictures of the pages.
 
 A page may show what its own code blocks write: ``pictures/<page>/<file>``; for those the build follows the blocks as
-the tests do. All others, ``pictures/drawn/<name>.svg``, are drawn here.
+the tests do. All others, ``pictures/drawn/<name>.svg``, are those of `drawings`.
 """
 
 from __future__ import annotations
@@ -10,21 +10,19 @@ import os
 import re
 import shutil
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from carom_docs import drawings
 from carom_docs.blocks import DOCS, Reader, blocks_of
-
-DRAWN: dict[str, Callable[[Path], None]] = {}
 
 
 def write(folder: Path) -> None:
     """Make every picture that a page shows, into `folder`, which is made anew."""
     shutil.rmtree(folder, ignore_errors=True)
     (folder / "drawn").mkdir(parents=True)
-    for name, draw in DRAWN.items():
-        draw(folder / "drawn" / f"{name}.svg")
+    drawings.draw_all(folder / "drawn")
     for page in sorted(DOCS.rglob("*.md")):
         files = shown_files(page)
         if files:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -64,7 +65,7 @@ def commands_in(text: str) -> list[tuple[str, str]]:
 
 def only_checked(command: str) -> bool:
     """Tell whether a command is not for a test to run; what it names has to exist."""
-    words = command.split("#")[0].split()
+    words = shlex.split(command, comments=True)
     if words[0] == "make":
         targets = re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
         unknown = [word for word in words[1:] if "=" not in word and word not in targets]
@@ -74,7 +75,7 @@ def only_checked(command: str) -> bool:
         named = [extra for group in extras for extra in group.split(",")]
         unknown = [extra for extra in named if not re.search(rf"^{extra} = \[", project, re.MULTILINE)]
     else:
-        return words[0] in ("git", "cargo") or {"-m", "venv"} <= set(words)
+        return words[0] in ("git", "cargo", "source") or {"-m", "venv"} <= set(words)
     if unknown:
         raise AssertionError(f"{command}: there is no {', '.join(unknown)}")
     return True
