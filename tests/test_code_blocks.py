@@ -46,9 +46,7 @@ WRONG = [
 
 
 @pytest.mark.parametrize(("language", "text"), WRONG)
-def test_a_wrong_block_fails(
-    language: str, text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_wrong_block_fails(language: str, text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     with pytest.raises((AssertionError, ZeroDivisionError)):
         Reader().follow(Block(Path("page.md"), 1, language, text))

@@ -10,7 +10,19 @@ from types import ModuleType
 
 import carom
 
-ORDER = ["scenario", "table", "ball", "physics", "method", "run", "events", "columns", "simulation", "errors", "library"]
+ORDER = [
+    "scenario",
+    "table",
+    "ball",
+    "physics",
+    "method",
+    "run",
+    "events",
+    "columns",
+    "simulation",
+    "errors",
+    "library",
+]
 """The modules that one reads first; any other one follows."""
 
 CONSTANTS = {
@@ -53,7 +65,12 @@ def _place(home: str) -> int:
 
 
 def _index(homes: list[str]) -> str:
-    lines = ["# Python", "", "Everything below is reached as `carom.<name>`; what a name does not list is no promise.", ""]
+    lines = [
+        "# Python",
+        "",
+        "Everything below is reached as `carom.<name>`; what a name does not list is no promise.",
+        "",
+    ]
     for home, names in modules().items():
         lines += [f"**[{_title(home)}]({home}.md)**", ""]
         lines += [f"- {{py:obj}}`carom.{name}`: {_first_sentence(name)}" for name in names]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -106,7 +107,7 @@ def draw_timeline() -> Figure:
     for row, name in enumerate(("blue", "red")):
         events = run.events.by_ball(name)
         edges: NDArray[np.float64] = np.concatenate([[0.0], events["time"], [run.end_time]])
-        for place, (start, end) in enumerate(zip(edges[:-1], edges[1:], strict=True)):
+        for place, (start, end) in enumerate(pairwise(edges)):
             ax.barh(row, end - start, left=start, height=0.42, color=BALLS[name], alpha=0.85 if place % 2 else 0.5)
         for event in events.by_kind("ball_cushion"):
             ax.plot(event.time, row, "o", color=style.EVENT_COLOURS["ball_cushion"], mec="white", ms=7)
@@ -143,7 +144,14 @@ def _ball(ax: Axes, place: NDArray[np.float64], colour: str, *, filled: bool = T
 def _note(ax: Axes, words: str, place: tuple[float, float], shift: tuple[float, float], ha: str = "left") -> None:
     arrow = {"arrowstyle": "-", "color": style.FAINT_INK, "lw": 0.8}
     ax.annotate(
-        words, place, shift, textcoords="offset points", ha=ha, fontsize=style.LABEL_SIZE, color=style.INK, arrowprops=arrow
+        words,
+        place,
+        shift,
+        textcoords="offset points",
+        ha=ha,
+        fontsize=style.LABEL_SIZE,
+        color=style.INK,
+        arrowprops=arrow,
     )
 
 

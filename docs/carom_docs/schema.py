@@ -155,7 +155,9 @@ def _row(key: str, value: Values, required: bool) -> str:
     absent = re.search(r"[;.] [Aa]bsent: ([^.]+)\.", meaning)
     if absent:
         meaning = meaning.replace(absent[0], ".")
-    default = "required" if required else absent[1] if absent else f"`{value['default']:g}`" if "default" in value else ""
+    default = (
+        "required" if required else absent[1] if absent else f"`{value['default']:g}`" if "default" in value else ""
+    )
     return f"| `{key}` | {_type(value)} | {default} | {meaning} |"
 
 
