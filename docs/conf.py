@@ -32,9 +32,14 @@ nitpick_ignore_regex = [
     ("py:class", r"(?!carom\.).*"),
     ("py:exc", r"(?!carom\.).*"),
 ]
-autodoc_typehints = "none"
+autodoc_typehints = "signature"
+autodoc_typehints_format = "short"
+autodoc_type_aliases = {"ArrayLike": "ArrayLike"}
 autodoc_member_order = "bysource"
-autodoc_class_signature = "separated"
+python_use_unqualified_type_names = True
+maximum_signature_line_length = 100
+python_trailing_comma_in_multi_line_signatures = False
+smartquotes_action = "q"
 numpydoc_show_class_members = False
 
 html_theme = "furo"

@@ -30,6 +30,9 @@ CONSTANTS = {
     "__version__": "The version of the package.",
 }
 
+TITLES = {"library": "Ready-made scenarios, schema, versions"}
+"""Titles of pages that hold more than their module."""
+
 FURTHER = {"figures": "carom.figures", "animation": "carom.animation"}
 """Modules whose names are public although the package itself does not give them."""
 
@@ -66,9 +69,9 @@ def _place(home: str) -> int:
 
 def _index(homes: list[str]) -> str:
     lines = [
-        "# Python",
+        "# Python API",
         "",
-        "Everything below is reached as `carom.<name>`; what a name does not list is no promise.",
+        "What is listed here stays as it is; other names may change.",
         "",
     ]
     for home, names in modules().items():
@@ -87,6 +90,8 @@ def _first_sentence(name: str) -> str:
 
 def _title(home: str) -> str:
     """Give what a module's docstring begins with, up to a colon or a comma: ``Runs``."""
+    if home in TITLES:
+        return TITLES[home]
     text = import_module(f"carom.{home}").__doc__ or home
     return text.splitlines()[0].split(":")[0].split(",")[0].rstrip(".")
 

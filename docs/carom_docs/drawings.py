@@ -40,7 +40,7 @@ def draw_step() -> Figure:
     figure = style.new_figure(7.2, 2.45)
     for place, (title, shown) in enumerate({"from event to event": run, "in steps of 0.3": stepped}.items()):
         ax = figure.add_axes((0.01 + 0.5 * place, 0.0, 0.48, 0.88))
-        _blank(ax, (0.0, 2.4), (0.05, 1.4))
+        _blank(ax, (0.0, 2.4), (0.0, 1.42))
         ax.set_title(title, fontsize=style.TITLE_SIZE, color=style.INK)
         times = shown.steps["time"] if shown.steps else run.sample_times(0.01)
         places = shown.positions(times)

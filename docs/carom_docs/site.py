@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,11 +15,15 @@ from carom_docs.parts import with_parts
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
 
+ARRAY = re.compile(r"~?numpy\.ndarray\[tuple\[.*?, \.\.\.\], ~?numpy\.dtype\[~?([\w.]+?\.)?(\w+)\]\]")
+"""How Sphinx writes an array's type."""
+
 
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register everything with Sphinx."""
     app.connect("builder-inited", _generate)
     app.connect("source-read", _fill_in)
+    app.connect("autodoc-process-signature", _shorten)
     app.add_html_math_renderer("mathml", inline_renderers=(_inline, None), block_renderers=(_display, None))
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
@@ -31,6 +36,19 @@ def _generate(app: Sphinx) -> None:
 
 def _fill_in(app: Sphinx, name: str, source: list[str]) -> None:
     source[0] = with_parts(source[0])
+
+
+def _shorten(
+    app: Sphinx, what: str, name: str, value: Any, options: Any, given: str | None, back: str | None
+) -> tuple[str | None, str | None]:
+    """Write arrays as the source does, and give no signature to a class that only the package itself makes."""
+    if what == "class" and (given or "").startswith("(native"):
+        return "", None
+    return _with_arrays(given), _with_arrays(back)
+
+
+def _with_arrays(signature: str | None) -> str | None:
+    return signature and ARRAY.sub(r"NDArray[\2]", signature)
 
 
 def _inline(translator: Any, node: nodes.math) -> None:
