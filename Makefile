@@ -31,6 +31,7 @@ test-rust: ## Run the engine's tests, the golden digests in an unoptimised build
 	$(CARGO) test --locked -p carom --test digests
 
 test-python: build ## Run the package's tests
+	@$(want_octave)
 	$(BIN)/python -m pytest
 
 lint: lint-rust lint-python ## Check format, lints, types and stubs
@@ -89,6 +90,12 @@ need_rust = command -v $(CARGO) >/dev/null \
 	|| { echo "Carom's engine is built with Rust 1.88 or newer: https://rustup.rs says how to get it"; exit 1; }
 need_python = $(PYTHON) -c 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 10))' 2>/dev/null \
 	|| { echo "Carom needs Python 3.10 or newer with venv (on Debian: python3-venv); name one with make PYTHON=..."; exit 1; }
+
+# The MATLAB example is run by Octave. Only root, as in a container, gets it installed; others are told.
+want_octave = command -v octave-cli >/dev/null \
+	|| { [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null \
+		&& { apt-get update -qq; apt-get install -qq --no-install-recommends octave >/dev/null; }; } \
+	|| echo "Without Octave the MATLAB example is not tested; on Debian: apt-get install octave"
 
 $(VENV)/.tools: pyproject.toml
 	@$(need_python)
