@@ -19,9 +19,7 @@ PAGES = blocks.pages()
 @pytest.mark.parametrize("page", PAGES, ids=[str(page.relative_to(ROOT)) for page in PAGES])
 def test_blocks_run(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    reader = Reader()
-    for block in blocks.blocks_of(page):
-        reader.follow(block)
+    blocks.follow(page)
 
 
 def test_pages_are_found() -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import doctest
 import io
 import re
+import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import redirect_stdout
 from dataclasses import dataclass
@@ -23,7 +24,7 @@ from carom_docs.parts import with_parts
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
-DIRECTIVES = {"toctree", "figure", "image", "eval-rst", "math"}
+DIRECTIVES = {"toctree", "include", "figure", "image", "eval-rst", "math"}
 MOST_EVENTS = 10_000
 
 
@@ -56,6 +57,23 @@ def pages() -> list[Path]:
 def blocks_of(page: Path) -> list[Block]:
     """Give the code blocks of a page in order, those of its generated parts too."""
     return list(_blocks(page, with_parts(page.read_text(encoding="utf-8")), 0))
+
+
+def files_beside(page: Path) -> list[Path]:
+    """Give the files of the project that a page of the site links to beside the site: a reader can download them."""
+    links = re.findall(r"\]\((\.\./[^)\s#]+)\)", page.read_text(encoding="utf-8"))
+    found = {(page.parent / link).resolve() for link in links}
+    return sorted(file for file in found if file.is_file() and not file.is_relative_to(DOCS))
+
+
+def follow(page: Path) -> None:
+    """Do all that a page says, in the working folder, where the files that it links to lie too."""
+    if page.is_relative_to(DOCS):
+        for file in files_beside(page):
+            shutil.copy(file, file.name)
+    reader = Reader()
+    for block in blocks_of(page):
+        reader.follow(block)
 
 
 def _blocks(page: Path, text: str, offset: int) -> Iterator[Block]:

@@ -15,7 +15,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from carom_docs import drawings
-from carom_docs.blocks import DOCS, Reader, blocks_of
+from carom_docs.blocks import DOCS, follow
 
 
 def write(folder: Path) -> None:
@@ -37,9 +37,7 @@ def shown_files(page: Path) -> list[str]:
 
 def _keep_what_it_writes(page: Path, files: list[str], folder: Path) -> None:
     with tempfile.TemporaryDirectory() as place, _working_in(Path(place)):
-        reader = Reader()
-        for block in blocks_of(page):
-            reader.follow(block)
+        follow(page)
         for file in files:
             (folder / file).parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(file, folder / file)

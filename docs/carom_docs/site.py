@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,6 +11,7 @@ from docutils import nodes
 from docutils.utils.math import latex2mathml
 
 from carom_docs import api, pictures
+from carom_docs.blocks import files_beside
 from carom_docs.parts import with_parts
 
 if TYPE_CHECKING:
@@ -35,7 +37,16 @@ def _generate(app: Sphinx) -> None:
 
 
 def _fill_in(app: Sphinx, name: str, source: list[str]) -> None:
-    source[0] = with_parts(source[0])
+    page = Path(app.env.doc2path(name))
+    source[0] = with_downloads(page, with_parts(source[0]))
+
+
+def with_downloads(page: Path, text: str) -> str:
+    """Let links to files beside the site download them; to a reader of the source they are links."""
+    for file in files_beside(page):
+        link = re.escape(Path(os.path.relpath(file, page.parent)).as_posix())
+        text = re.sub(rf"\[`?([^\]`]+)`?\]\(({link})\)", r"{download}`\1 <\2>`", text)
+    return text
 
 
 def _shorten(
