@@ -17,6 +17,7 @@ ORDER = [
     "physics",
     "method",
     "run",
+    "comparison",
     "events",
     "columns",
     "simulation",
@@ -59,7 +60,7 @@ def write(folder: Path) -> None:
 def _home(name: str) -> str:
     if name in CONSTANTS:
         return "library"
-    home = str(getattr(carom, name).__module__).rpartition(".")[2]
+    home = str(getattr(carom, name).__module__).split(".")[1]
     return "library" if home == "_engine" else home
 
 
