@@ -11,6 +11,7 @@ import re
 import shutil
 import tempfile
 from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -23,10 +24,11 @@ def write(folder: Path) -> None:
     shutil.rmtree(folder, ignore_errors=True)
     (folder / "drawn").mkdir(parents=True)
     drawings.draw_all(folder / "drawn")
-    for page in sorted(DOCS.rglob("*.md")):
-        files = shown_files(page)
-        if files:
-            _keep_what_it_writes(page, files, folder / page.relative_to(DOCS).with_suffix(""))
+    pages = [page for page in sorted(DOCS.rglob("*.md")) if shown_files(page)]
+    # Each page in a process, since it works in a folder of its own.
+    with ProcessPoolExecutor() as pool:
+        for _ in pool.map(_keep_what_it_writes, pages, [folder] * len(pages)):
+            pass
 
 
 def shown_files(page: Path) -> list[str]:
@@ -35,12 +37,14 @@ def shown_files(page: Path) -> list[str]:
     return re.findall(rf"\((?:\.\./)*{own}([^)\s]+)\)", page.read_text(encoding="utf-8"))
 
 
-def _keep_what_it_writes(page: Path, files: list[str], folder: Path) -> None:
+def _keep_what_it_writes(page: Path, folder: Path) -> None:
+    """Follow a page, and copy the files that it shows."""
+    kept = folder / page.relative_to(DOCS).with_suffix("")
     with tempfile.TemporaryDirectory() as place, _working_in(Path(place)):
         follow(page)
-        for file in files:
-            (folder / file).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(file, folder / file)
+        for file in shown_files(page):
+            (kept / file).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(file, kept / file)
 
 
 @contextmanager

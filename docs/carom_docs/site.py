@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from docutils import nodes
-from docutils.utils.math import latex2mathml
+from docutils.utils.math import MathError, latex2mathml
+from sphinx.util import logging
 
 from carom_docs import api, pictures
 from carom_docs.blocks import files_beside
@@ -16,6 +17,8 @@ from carom_docs.parts import with_parts
 
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
+
+logger = logging.getLogger(__name__)
 
 ARRAY = re.compile(r"~?numpy\.ndarray\[tuple\[.*?, \.\.\.\], ~?numpy\.dtype\[~?([\w.]+?\.)?(\w+)\]\]")
 """How Sphinx writes an array's type."""
@@ -63,10 +66,16 @@ def _with_arrays(signature: str | None) -> str | None:
 
 
 def _inline(translator: Any, node: nodes.math) -> None:
-    translator.body.append(latex2mathml.tex2mathml(node.astext(), as_block=False))
-    raise nodes.SkipNode
+    _append(translator, node, as_block=False)
 
 
 def _display(translator: Any, node: nodes.math_block) -> None:
-    translator.body.append(latex2mathml.tex2mathml(node.astext(), as_block=True))
+    _append(translator, node, as_block=True)
+
+
+def _append(translator: Any, node: nodes.Element, *, as_block: bool) -> None:
+    try:
+        translator.body.append(latex2mathml.tex2mathml(node.astext(), as_block=as_block))
+    except MathError as error:
+        logger.warning("%s In: %s", error, node.astext(), location=node)
     raise nodes.SkipNode
