@@ -27,10 +27,10 @@ myst_heading_anchors = 3
 # A single backtick in a docstring names something of the package where there is such a thing, else it is code.
 default_role = "py:obj"
 nitpick_ignore_regex = [
+    # Code in single backticks is no link unless there is such a name; types from elsewhere are not documented here.
     ("py:obj", r".*"),
-    # What comes from elsewhere is not documented here, and nothing is fetched to link to it.
-    ("py:class", r"(?!carom\.).*"),
-    ("py:exc", r"(?!carom\.).*"),
+    ("py:class", r".*"),
+    ("py:exc", r".*"),
 ]
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"

@@ -11,6 +11,7 @@ from docutils import nodes
 from docutils.utils.math import MathError, latex2mathml
 from sphinx.util import logging
 
+import carom
 from carom_docs import api, pictures
 from carom_docs.blocks import files_beside
 from carom_docs.parts import with_parts
@@ -29,6 +30,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.connect("builder-inited", _generate)
     app.connect("source-read", _fill_in)
     app.connect("autodoc-process-signature", _shorten)
+    app.connect("autodoc-process-bases", _leave_out_private)
     app.add_html_math_renderer("mathml", inline_renderers=(_inline, None), block_renderers=(_display, None))
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
@@ -56,9 +58,20 @@ def _shorten(
     app: Sphinx, what: str, name: str, value: Any, options: Any, given: str | None, back: str | None
 ) -> tuple[str | None, str | None]:
     """Write arrays as the source does, and give no signature to a class that only the package itself makes."""
-    if what == "class" and (given or "").startswith("(native"):
+    if what == "class" and re.search(r"[(, ](native|_\w+):", given or ""):
         return "", None
     return _with_arrays(given), _with_arrays(back)
+
+
+def _leave_out_private(app: Sphinx, name: str, value: Any, options: Any, bases: list[type]) -> None:
+    """Name public bases only: in place of one that is not, its own."""
+    bases[:] = [public for base in bases for public in _public(base)]
+
+
+def _public(base: type) -> list[type]:
+    if not base.__module__.startswith("carom") or getattr(carom, base.__name__, None) is base:
+        return [base]
+    return [public for one in base.__bases__ for public in _public(one)]
 
 
 def _with_arrays(signature: str | None) -> str | None:
