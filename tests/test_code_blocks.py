@@ -8,6 +8,7 @@ import pytest
 
 pytest.importorskip("tomllib", reason="reading scenarios apart needs Python 3.11")
 pytest.importorskip("pty", reason="the shell's blocks are run in a terminal of Unix")
+pytest.importorskip("markdown_it", reason="reading Markdown needs markdown-it-py")
 pytest.importorskip("carom_docs", reason="the pages are not beside the tests")
 
 from carom_docs import blocks, shell
@@ -72,3 +73,8 @@ def test_a_command_that_fails_is_fine_where_the_page_asks_for_its_status() -> No
     failing, asking = shell.run("$ false\n$ echo $?\n1")
     assert not failing.unseen_failure
     assert asking.output.strip() == "1"
+
+
+def test_files_that_a_page_links_to_are_found() -> None:
+    page = ROOT / "docs" / "reference" / "commands.md"
+    assert blocks.files_beside(page) == [ROOT / "examples" / "exercise.py"]

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 pytest.importorskip("tomllib", reason="reading scenarios apart needs Python 3.11")
+pytest.importorskip("markdown_it", reason="reading Markdown needs markdown-it-py")
 pytest.importorskip("carom_docs", reason="the pages are not beside the tests")
 
 import tomllib

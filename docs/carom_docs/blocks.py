@@ -60,17 +60,21 @@ def blocks_of(page: Path) -> list[Block]:
 
 
 def files_beside(page: Path) -> list[Path]:
-    """Give the files of the project that a page of the site links to beside the site: a reader can download them."""
-    links = re.findall(r"\]\((\.\./[^)\s#]+)\)", page.read_text(encoding="utf-8"))
+    """Give the files of the project that a page links to and that are no pages or pictures of the site."""
+    links = re.findall(r"\]\((?!https?:|#)([^)\s#]+)", page.read_text(encoding="utf-8"))
     found = {(page.parent / link).resolve() for link in links}
     return sorted(file for file in found if file.is_file() and not file.is_relative_to(DOCS))
 
 
 def follow(page: Path) -> None:
-    """Do all that a page says, in the working folder, where the files that it links to lie too."""
-    if page.is_relative_to(DOCS):
-        for file in files_beside(page):
-            shutil.copy(file, file.name)
+    """Do all that a page says, in the working folder.
+
+    The files that it links to are there: for a page of the site as if downloaded, else where the project has them.
+    """
+    for file in files_beside(page):
+        place = Path(file.name) if page.is_relative_to(DOCS) else file.relative_to(ROOT)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(file, place)
     reader = Reader()
     for block in blocks_of(page):
         reader.follow(block)
