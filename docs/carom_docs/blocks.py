@@ -181,7 +181,7 @@ def laid_over(under: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, An
     """Lay a part of a scenario over a whole one; what says its own shape, law or kind takes the place of the other."""
     merged = dict(under)
     for key, value in over.items():
-        old = under.get(key)
+        old: Any = under.get(key)
         merge = isinstance(value, Mapping) and isinstance(old, Mapping) and not {"shape", "law", "kind"} & value.keys()
         merged[key] = laid_over(old, value) if merge else value
     return merged

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 
 from carom.events import COLUMNS, Event
@@ -11,9 +12,7 @@ ATTRIBUTE = re.compile(r"^(?P<names>\w+(?:, \w+)*) : (?P<type>.+)\n(?P<meaning>(
 
 def event_columns() -> str:
     """Give the columns of events as a table, from the docstring of `Event`."""
-    import inspect
-
-    rows = {}
+    rows: dict[str, str] = {}
     for found in ATTRIBUTE.finditer(inspect.cleandoc(Event.__doc__ or "")):
         meaning = " ".join(found["meaning"].split()).replace("``", "`")
         rows |= {name: f"| `{name}` | {found['type']} | {meaning} |" for name in found["names"].split(", ")}
