@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 
 import carom
 from carom import figures
+from carom.colours import PALETTE, ball_colours
 from carom.comparison import compare
 from carom.figures.scene import Scene
-from carom.figures.style import PALETTE, ball_colours
 from carom.figures.table import arrow_scale, draw_table, table_contains, table_loops
 
 DRAWINGS = [figures.plot_paths, figures.plot_energy, figures.plot_speed, figures.plot_momentum]
@@ -367,9 +367,9 @@ def test_a_point_is_drawn_large_enough_to_be_seen(stadium: carom.Run) -> None:
 
 
 def test_colours_come_from_the_scenario_then_the_name_then_the_palette() -> None:
-    chosen = ball_colours(["red", "8", "9", "x"], [None, "gold", (1.0, 0.0, 0.5), None])
+    chosen = ball_colours(["red", "8", "9", "x"], [None, "Gold", (1.0, 0.0, 0.5), None])
     assert chosen[0] == PALETTE[0]
-    assert chosen[1] == "#ffd700"
+    assert chosen[1] == "gold"
     np.testing.assert_allclose(to_rgb(chosen[2]), (1.0, 0.0, 0.5), atol=1 / 255)
     assert chosen[3] == PALETTE[1]
 

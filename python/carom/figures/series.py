@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.transforms import blended_transform_factory
 
+from carom.colours import PALETTE
 from carom.figures import style
 from carom.figures.moments import draw_times
 from carom.figures.scene import Scene
@@ -98,7 +99,7 @@ def plot_momentum(run: Run, ax: Axes | None = None) -> Axes:
     ax = _new_axes(scene) if ax is None else ax
     times = draw_times(run, SAMPLES)
     momentum = run.momentum(times)
-    for axis, (name, colour) in enumerate((("x", style.PALETTE[3]), ("y", style.PALETTE[4]))):
+    for axis, (name, colour) in enumerate((("x", PALETTE[3]), ("y", PALETTE[4]))):
         ax.plot(times, momentum[:, axis], color=colour, linewidth=1.5, label=f"total, {name}", zorder=2)
     ax.axhline(0.0, color=style.FAINT_INK, linewidth=0.7, zorder=1)
     return _finish(ax, run, scene, "momentum", "momentum", from_zero=False)
@@ -119,7 +120,7 @@ def _lowest_potential(scene: Scene) -> float:
 def _draw_balls(ax: Axes, scene: Scene, times: NDArray[np.float64], values: NDArray[np.float64]) -> None:
     """Draw one curve for each ball; in the legend they are named if they are few."""
     many = len(scene.ids) > MOST_NAMED
-    names = ["each ball", *[""] * (len(scene.ids) - 1)] if many else scene.ids
+    names = ["each ball", *[""] * (len(scene.ids) - 1)] if many else list(map(style.legend_name, scene.ids))
     for ball, (name, colour) in enumerate(zip(names, map(style.line_colour, scene.colours), strict=True)):
         ax.plot(times, values[:, ball], color=colour, linewidth=0.9 if many else 1.3, label=name or None, zorder=2)
 

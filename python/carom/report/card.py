@@ -1,0 +1,78 @@
+"""What a notebook shows of a scenario and of a run: a small picture and the facts beside it."""
+
+from __future__ import annotations
+
+import io
+from typing import TYPE_CHECKING
+
+from carom.report.page import template
+from carom.report.pictures import data_uri
+from carom.report.results import count_events, facts, record_of, verdict
+from carom.report.rows import Row
+from carom.report.text import counted
+from carom.summary import facts_of_scenario
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from carom.run import Run
+    from carom.scenario import Scenario
+
+WIDEST, HIGHEST = 2.6, 2.6  # inches
+DPI = 160
+CSS_DPI = 96
+MOST_DRAWN = 1e6
+
+
+def scenario_card(scenario: Scenario) -> str:
+    """Give a scenario as a piece of HTML: how it starts, and what it says."""
+    ax = _small_axes(scenario)
+    from carom import figures
+
+    figures.plot_scenario(scenario, ax=ax)
+    rows = [Row(name, value) for name, value in facts_of_scenario(scenario.to_dict())]
+    balls = counted(len(scenario.balls), "ball")
+    return _card(scenario.title or "Scenario", scenario.description, rows, ax, f"The table from above with {balls}.")
+
+
+def run_card(run: Run) -> str:
+    """Give a run as a piece of HTML: its paths, or how it started where they were not kept, and how it ended."""
+    scenario = run.scenario
+    ax = _small_axes(scenario)
+    from carom import figures
+
+    count = count_events(run)
+    if record_of(run) == "all" and count * len(run.ball_ids) <= MOST_DRAWN:
+        figures.plot_paths(run, ax=ax, numbers=False)
+        alt = f"The table from above with the paths of {counted(len(run.ball_ids), 'ball')}."
+    else:
+        figures.plot_scenario(scenario, ax=ax)
+        alt = f"The table from above with {counted(len(run.ball_ids), 'ball')} at the start."
+    rows = [Row(row.name, f"{row.value} ({row.note})" if row.note else row.value) for row in facts(run)]
+    rows += [Row("digest", run.digest)] if run.digest else []
+    return _card(f"Run of {scenario.title}" if scenario.title else "Run", verdict(run), rows, ax, alt)
+
+
+def _small_axes(scenario: Scenario) -> Axes:
+    """Make an axes that fills a small figure, in the table's proportions."""
+    from carom.figures.scene import Scene
+    from carom.figures.style import new_figure
+    from carom.figures.table import framed_ratio
+
+    ratio = framed_ratio(Scene.of(scenario))
+    width = min(WIDEST, HIGHEST / ratio)
+    ax = new_figure(width, width * ratio).add_axes((0.0, 0.0, 1.0, 1.0))
+    ax.set_axis_off()
+    return ax
+
+
+def _card(head: str, text: str, rows: list[Row], ax: Axes, alt: str) -> str:
+    from carom.figures import figure_of
+
+    figure = figure_of(ax)
+    file = io.BytesIO()
+    figure.savefig(file, format="png", dpi=DPI)
+    width, height = (round(size * CSS_DPI) for size in figure.get_size_inches())
+    return template("card.html").render(
+        head=head, text=text, rows=rows, picture=data_uri(file.getvalue()), alt=alt, width=width, height=height
+    )
