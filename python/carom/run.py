@@ -89,6 +89,11 @@ class Run:
         return Scenario._of(self._native.scenario())
 
     @cached_property
+    def record(self) -> str:
+        """What was kept: ``all``, ``events`` or ``none``."""
+        return str(self.scenario.to_dict().get("record", "all"))
+
+    @cached_property
     def events(self) -> EventTable:
         """The events, in order."""
         columns: dict[str, Any] = dict(self._native.events())

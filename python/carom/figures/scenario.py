@@ -107,9 +107,7 @@ def _is_dark(colour: str) -> bool:
     return 0.299 * red + 0.587 * green + 0.114 * blue < 0.6
 
 
-def _draw_velocities(
-    ax: Axes, scene: Scene, places: NDArray[np.float64], velocities: NDArray[np.float64]
-) -> None:
+def _draw_velocities(ax: Axes, scene: Scene, places: NDArray[np.float64], velocities: NDArray[np.float64]) -> None:
     """Draw the velocities from the rims of the discs, so that they leave the names free."""
     speeds = np.linalg.norm(velocities, axis=-1)
     moving = speeds > 0.0

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from carom.report.page import template
 from carom.report.pictures import data_uri
-from carom.report.results import count_events, facts, record_of, verdict
+from carom.report.results import count_events, facts, verdict
 from carom.report.rows import Row
 from carom.report.text import counted
 from carom.summary import facts_of_scenario
@@ -42,7 +42,7 @@ def run_card(run: Run) -> str:
     from carom import figures
 
     count = count_events(run)
-    if record_of(run) == "all" and count * len(run.ball_ids) <= MOST_DRAWN:
+    if run.record == "all" and count * len(run.ball_ids) <= MOST_DRAWN:
         figures.plot_paths(run, ax=ax, numbers=False)
         alt = f"The table from above with the paths of {counted(len(run.ball_ids), 'ball')}."
     else:

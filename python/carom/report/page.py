@@ -14,7 +14,7 @@ from carom.files import write_text
 from carom.report import words
 from carom.report.parameters import ball_table, law_rows, limit_rows, method_rows, table_rows
 from carom.report.pictures import drawn, figures_of, pictures_of
-from carom.report.results import diagnostic_rows, event_table, facts, record_of, step_rows, verdict
+from carom.report.results import diagnostic_rows, event_table, facts, step_rows, verdict
 from carom.report.rows import Row
 
 if TYPE_CHECKING:
@@ -51,7 +51,6 @@ def report_html(
         title=scenario.title or "A run",
         description=scenario.description,
         run=run,
-        record=record_of(run),
         early=run.status in words.EARLY,
         verdict=verdict(run),
         facts=facts(run),

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from carom.report.results import count_events, record_of
+from carom.report.results import count_events
 from carom.report.text import counted, short
 
 if TYPE_CHECKING:
@@ -34,10 +34,10 @@ CAPTIONS = {
     "filmstrip": "One event. Arrows are velocities, dashed ones those just before it; n is the normal of the contact, "
     "t its tangent.",
     "paths": "Every ball from its start (a ring) to its end (a disc). Diamonds are contacts of balls, dots contacts "
-    "with cushions.",
+    "with cushions; numbers, where there are any, are those of the events below.",
     "energy": "Kinetic energy of each ball, and the total. The ticks below the curves are the events.",
     "speed": "Speed of each ball.",
-    "momentum": "Total momentum; cushions change it, contacts of balls do not.",
+    "momentum": "Total momentum: contacts of balls leave it as it is, cushions and fields change it.",
 }
 
 
@@ -81,7 +81,7 @@ class Picture:
 
 def figures_of(run: Run) -> Iterator[tuple[str, Figure]]:
     """Draw, one after the other, the figures that a run has something for."""
-    if record_of(run) != "all":
+    if run.record != "all":
         return
     from carom import figures
 

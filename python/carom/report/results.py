@@ -15,12 +15,8 @@ if TYPE_CHECKING:
     from carom.run import Run
 
 MOST_EVENTS = 1000
+WORDS = ("kind", "ball_a", "ball_b", "cushion")
 NUMBERS = {"x": "length", "y": "length", "closing_speed": "speed", "impulse": "momentum"}
-
-
-def record_of(run: Run) -> str:
-    """Give what a run kept: ``all``, ``events`` or ``none``."""
-    return str(run.scenario.to_dict().get("record", "all"))
 
 
 def count_events(run: Run) -> int:
@@ -40,9 +36,15 @@ def verdict(run: Run) -> str:
     ended = f"{words.STATUSES.get(run.status, run.status)}, at t = {with_unit(short(run.end_time), unit)}"
     count = count_events(run)
     events = f"{counted(count, 'event')}: {name_events(run)}" if count else "Nothing was hit"
-    error, unit = run.diagnostics["energy_error"], unit_of(run.scenario.units, "energy")
-    sound = f"No event changed the energy by more than {with_unit(short(error, 2), unit)} beside its law"
-    return f"{ended}. {events}. {sound}." if count else f"{ended}. {events}."
+    return f"{ended}. {events}. {_energy_kept(run)}." if count else f"{ended}. {events}."
+
+
+def _energy_kept(run: Run) -> str:
+    error = run.diagnostics["energy_error"]
+    if error == 0.0:
+        return "Every event changed the energy exactly as its law says"
+    limit = with_unit(short(error, 2), unit_of(run.scenario.units, "energy"))
+    return f"No event changed the energy by more than {limit} beyond what its law says"
 
 
 def facts(run: Run) -> list[Row]:
@@ -65,29 +67,33 @@ def facts(run: Run) -> list[Row]:
 
 
 def event_table(run: Run) -> dict[str, Any] | None:
-    """Give the first `MOST_EVENTS` events as a table: ``heads``, ``rows``, ``count``; None where none were kept."""
-    if record_of(run) == "none":
+    """Give the first `MOST_EVENTS` events as a table, None where none were kept.
+
+    It has ``heads``, ``rows``, the places of the columns that are ``words``, and the ``count`` of all events.
+    """
+    if run.record == "none":
         return None
     kept, units = run.events, run.scenario.units
     shown = kept[:MOST_EVENTS]
     heads = {name: _head(name, unit_of(units, quantity)) for name, quantity in NUMBERS.items()}
-    columns: list[list[str]] = [[exact(number) for number in shown["index"].tolist()], column(shown["time"])]
-    columns += [["" if word is None else word for word in shown[name]] for name in ("kind", "ball_a", "ball_b", "cushion")]
+    columns: list[list[str]] = [[exact(index + 1) for index in shown["index"].tolist()], column(shown["time"])]
+    columns += [["" if word is None else word for word in shown[name]] for name in WORDS]
     columns += [column(shown[name]) for name in NUMBERS]
-    names = ["index", _head("time", units.get("time")), "kind", "ball_a", "ball_b", "cushion", *heads.values()]
+    names = ["no.", _head("time", units.get("time")), *WORDS, *heads.values()]
     if np.any(kept["cluster"] >= 0):
         names.append("cluster")
         columns.append(["" if number < 0 else exact(number) for number in shown["cluster"].tolist()])
-    return {"heads": names, "rows": list(zip(*columns, strict=True)), "count": len(kept)}
+    rows = list(zip(*columns, strict=True))
+    return {"heads": names, "rows": rows, "words": range(2, 2 + len(WORDS)), "count": len(kept)}
 
 
 def _head(name: str, unit: str | None) -> str:
-    return f"{name.replace('_', ' ')} ({unit})" if unit else name
+    return f"{name} ({unit})" if unit else name
 
 
 def step_rows(run: Run) -> list[Row]:
     """Give a stepped run's steps in a few numbers; none for an exact run, and where they were not kept."""
-    if record_of(run) != "all" or run.steps is None:
+    if run.record != "all" or run.steps is None:
         return []
     steps = run.steps
     unit = run.scenario.units.get("time")

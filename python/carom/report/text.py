@@ -37,12 +37,14 @@ def short(value: float | int, digits: int = DIGITS) -> str:
 
 
 def column(values: ArrayLike) -> list[str]:
-    """Give numbers with as many decimals as leave the largest six digits, so that their points stand in line.
+    """Give numbers with one number of decimals, so that their points stand in line.
+
+    It is as many as give the largest six digits, or fewer where no number needs them.
 
     Examples
     --------
-    >>> column([0.5, -12.25, 1e-17]), column([2e7, 0.5])
-    (['0.5000', '−12.2500', '0.0000'], ['2e+07', '0.5'])
+    >>> column([0.123456789, -12.25, 1e-17]), column([0.5, 2.0]), column([2e7, 0.5])
+    (['0.1235', '−12.2500', '0.0000'], ['0.5', '2.0'], ['2e+07', '0.5'])
     """
     numbers = np.asarray(values, dtype=float)
     largest = float(np.abs(numbers[np.isfinite(numbers)]).max(initial=0.0))
@@ -51,7 +53,10 @@ def column(values: ArrayLike) -> list[str]:
         return [short(float(number)) for number in numbers]
     decimals = DIGITS - 1 - max(size, 0)
     # Adding zero turns a minus zero, left by rounding, into a plain one.
-    return [f"{round(float(number), decimals) + 0.0:.{decimals}f}".replace("-", MINUS) for number in numbers]
+    rounded = [f"{round(float(number), decimals) + 0.0:.{decimals}f}" for number in numbers]
+    spare = min((len(text) - len(text.rstrip("0")) for text in rounded), default=0)
+    shown = min(decimals, spare)
+    return [text[: len(text) - shown].removesuffix(".").replace("-", MINUS) for text in rounded]
 
 
 def point(values: Sequence[float]) -> str:
