@@ -12,8 +12,9 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$python" -m venv "$work/environment"
 "$work/environment/bin/pip" install --quiet --constraint "$tests/packaging/floors.txt" \
-    "$(echo "$dist"/carom-*.whl)[data]" pytest hypothesis mpmath jsonschema
+    "$(echo "$dist"/carom-*.whl)[data]" pytest hypothesis mpmath jsonschema \
+    nbclient nbformat ipykernel
 cp -r "$tests" "$work/tests"
-cp -r "$tests/../pyproject.toml" "$tests/../reference" "$work"
+cp -r "$tests/../pyproject.toml" "$tests/../reference" "$tests/../examples" "$work"
 cd "$work"
 "$work/environment/bin/python" -m pytest tests -W default

@@ -4,8 +4,8 @@ A page is one file of its own: it loads nothing and runs no script, what is writ
 the same run gives the same bytes.
 """
 
-from carom.report.card import run_card, scenario_card
+from carom.report.card import run_card, scenario_card, table_card
 from carom.report.page import report_html, write_report
 from carom.report.pictures import Picture, drawn, figures_of
 
-__all__ = ["Picture", "drawn", "figures_of", "report_html", "run_card", "scenario_card", "write_report"]
+__all__ = ["Picture", "drawn", "figures_of", "report_html", "run_card", "scenario_card", "table_card", "write_report"]

@@ -1,27 +1,30 @@
-"""What a notebook shows of a scenario and of a run: a small picture and the facts beside it."""
+"""What a notebook shows: of a scenario and of a run a small picture with facts beside it, of a table its head."""
 
 from __future__ import annotations
 
 import io
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from carom.report.page import template
 from carom.report.pictures import data_uri
 from carom.report.results import count_events, facts, verdict
 from carom.report.rows import Row
-from carom.report.text import counted
+from carom.report.text import column, counted
 from carom.summary import facts_of_scenario
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
 
+    from carom.columns import ColumnTable
     from carom.run import Run
     from carom.scenario import Scenario
 
 WIDEST, HIGHEST = 2.6, 2.6  # inches
 DPI = 160
 CSS_DPI = 96
-MOST_DRAWN = 1e6
+MOST_ROWS, MOST_COLUMNS = 20, 16
+MOST_PATHS, MOST_PLACES = 200, 5e5
 
 
 def scenario_card(scenario: Scenario) -> str:
@@ -41,8 +44,7 @@ def run_card(run: Run) -> str:
     ax = _small_axes(scenario)
     from carom import figures
 
-    count = count_events(run)
-    if run.record == "all" and count * len(run.ball_ids) <= MOST_DRAWN:
+    if run.record == "all" and _few_paths(run):
         figures.plot_paths(run, ax=ax, numbers=False)
         alt = f"The table from above with the paths of {counted(len(run.ball_ids), 'ball')}."
     else:
@@ -51,6 +53,31 @@ def run_card(run: Run) -> str:
     rows = [Row(row.name, f"{row.value} ({row.note})" if row.note else row.value) for row in facts(run)]
     rows += [Row("digest", run.digest)] if run.digest else []
     return _card(f"Run of {scenario.title}" if scenario.title else "Run", verdict(run), rows, ax, alt)
+
+
+def table_card(table: ColumnTable, head: str) -> str:
+    """Give a table as a piece of HTML: its first rows, rounded."""
+    columns = {name: table[name][:MOST_ROWS] for name in table.names[:MOST_COLUMNS]}
+    numeric = [values.dtype.kind in "fiu" for values in columns.values()]
+    texts = [column(values) if values.dtype.kind == "f" else _words(values) for values in columns.values()]
+    return template("table.html").render(
+        head=head,
+        names=list(columns),
+        numeric=numeric,
+        rows=list(zip(*texts, strict=True)),
+        more_rows=max(len(table) - MOST_ROWS, 0),
+        more_columns=max(len(table.names) - MOST_COLUMNS, 0),
+    )
+
+
+def _words(values: NDArray[Any]) -> list[str]:
+    return ["" if value is None else str(value) for value in values.tolist()]
+
+
+def _few_paths(run: Run) -> bool:
+    """Tell whether the paths are drawn in a moment."""
+    balls = len(run.ball_ids)
+    return balls <= MOST_PATHS and balls * (1000 + count_events(run)) <= MOST_PLACES
 
 
 def _small_axes(scenario: Scenario) -> Axes:

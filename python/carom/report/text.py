@@ -17,8 +17,8 @@ def exact(value: float | int) -> str:
 
     Examples
     --------
-    >>> exact(0.1 + 0.2), exact(5.0), exact(10000000)
-    ('0.30000000000000004', '5', '10 000 000')
+    >>> exact(0.1 + 0.2), exact(5.0), exact(-1)
+    ('0.30000000000000004', '5', '−1')
     """
     if isinstance(value, int):
         return f"{value:,}".replace(",", "\N{NO-BREAK SPACE}").replace("-", MINUS)
