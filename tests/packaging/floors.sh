@@ -12,9 +12,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$python" -m venv "$work/environment"
 "$work/environment/bin/pip" install --quiet --constraint "$tests/packaging/floors.txt" \
-    "$(echo "$dist"/carom-*.whl)[data]" pytest hypothesis mpmath jsonschema \
-    nbclient nbformat ipykernel
+    "$(echo "$dist"/carom-*.whl)[data]" pytest hypothesis mpmath jsonschema
 cp -r "$tests" "$work/tests"
-cp -r "$tests/../pyproject.toml" "$tests/../reference" "$tests/../examples" "$work"
+cp -r "$tests/../pyproject.toml" "$tests/../reference" "$work"
 cd "$work"
 "$work/environment/bin/python" -m pytest tests -W default

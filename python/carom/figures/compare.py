@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.colours import PALETTE
 from carom.figures import style
 from carom.figures.scene import Scene
 
@@ -41,7 +40,7 @@ def plot_errors(comparison: Comparison, ax: Axes | None = None) -> Axes:
     positive = table["error"] > 0
     good = positive & (table["missed"] == 0) & (table["extra"] == 0)
     steps, errors = table["dt"], table["error"]
-    colour = PALETTE[1]
+    colour = style.PALETTE[1]
     for chosen, face, label in (
         (good, colour, _name_order("same events as the exact run", comparison.order)),
         (positive & ~good, "white", "events missed or added"),

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.transforms import blended_transform_factory
 
-from carom.colours import PALETTE
 from carom.figures import style
 from carom.figures.moments import draw_times
 from carom.figures.scene import Scene
@@ -99,7 +98,7 @@ def plot_momentum(run: Run, ax: Axes | None = None) -> Axes:
     ax = _new_axes(scene) if ax is None else ax
     times = draw_times(run, SAMPLES)
     momentum = run.momentum(times)
-    for axis, (name, colour) in enumerate((("x", PALETTE[3]), ("y", PALETTE[4]))):
+    for axis, (name, colour) in enumerate((("x", style.PALETTE[3]), ("y", style.PALETTE[4]))):
         ax.plot(times, momentum[:, axis], color=colour, linewidth=1.5, label=f"total, {name}", zorder=2)
     ax.axhline(0.0, color=style.FAINT_INK, linewidth=0.7, zorder=1)
     return _finish(ax, run, scene, "momentum", "momentum", from_zero=False)

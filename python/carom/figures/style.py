@@ -17,6 +17,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
+from carom.colours import PALETTE as PALETTE
 from carom.files import replacing
 
 if TYPE_CHECKING:
