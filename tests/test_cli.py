@@ -1,5 +1,6 @@
 """The command line: what it prints, writes, refuses, and with which exit code."""
 
+import base64
 import csv
 import errno
 import io
@@ -23,7 +24,7 @@ import pytest
 import carom
 from carom.cli import main
 
-RUN_FILES = {"events.csv", "trajectory.csv", "run.json"}
+RUN_FILES = {"events.csv", "trajectory.csv", "run.json", "report.html"}
 FIGURES = {"filmstrip", "paths", "energy", "speed", "momentum"}
 ESCAPE = "\x1b"
 
@@ -116,6 +117,41 @@ def test_run_writes_tables_figures_and_film(tmp_path: Path, run: carom.Run) -> N
     assert names_in(tmp_path / "deep") == {"out"}
     assert carom.load_run(out / "run.json") == run
     assert [float(row["time"]) for row in rows_of(out / "events.csv")] == run.events["time"].tolist()
+
+
+def test_the_report_shows_the_figures_that_were_written(tmp_path: Path) -> None:
+    words = ("run", "midterm", "--dt", "0.03", "--set", "title=A <b>", "--no-animation")
+    fine(*words, "--out", tmp_path / "png")
+    fine(*words, "--out", tmp_path / "svg", "--format", "svg")
+    report = (tmp_path / "png" / "report.html").read_text(encoding="utf-8")
+    for name in FIGURES:
+        assert base64.b64encode((tmp_path / "png" / f"{name}.png").read_bytes()).decode() in report
+    assert "carom run midterm --set &#39;title=A &lt;b&gt;&#39; --dt 0.03" in report
+    assert "Beside this page: run.json, events.csv, trajectory.csv, steps.csv, filmstrip.png" in report
+    in_svg = (tmp_path / "svg" / "report.html").read_text(encoding="utf-8")
+    pictures = [re.findall(r"data:image/png;base64,[\w+/=]+", text) for text in (report, in_svg)]
+    assert pictures[0] == pictures[1]
+    assert len(pictures[0]) == len(FIGURES)
+
+
+def test_a_report_without_figures_says_so(tmp_path: Path) -> None:
+    fine("run", "midterm", "--no-figures", "--no-animation", "--out", tmp_path / "out")
+    report = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "This report was made without figures." in report
+    assert "<img" not in report
+
+
+def test_a_run_without_figures_loads_no_matplotlib(tmp_path: Path) -> None:
+    words = ["carom", "run", "midterm", "--no-figures", "--no-animation", "--out", str(tmp_path / "out")]
+    code = (
+        f"import sys, runpy; sys.argv = {words!r}\n"
+        "try: runpy.run_module('carom', run_name='__main__')\n"
+        "except SystemExit: pass\n"
+        "print('matplotlib' in sys.modules, file=sys.stderr)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stderr.strip() == "False"
+    assert names_in(tmp_path / "out") == RUN_FILES
 
 
 def test_files_keep_every_bit(tmp_path: Path, run: carom.Run) -> None:
@@ -265,7 +301,7 @@ def test_an_event_budget_that_was_not_asked_for_is_no_success() -> None:
 
 def test_runs_that_kept_little_write_little(tmp_path: Path) -> None:
     fine("run", "midterm", "--set", "record=events", "--out", tmp_path / "out")
-    assert names_in(tmp_path / "out") == {"events.csv", "run.json"}
+    assert names_in(tmp_path / "out") == {"events.csv", "run.json", "report.html"}
 
 
 def test_a_run_that_kept_nothing_says_so(tmp_path: Path, run: carom.Run) -> None:
@@ -276,7 +312,7 @@ def test_a_run_that_kept_nothing_says_so(tmp_path: Path, run: carom.Run) -> None
     assert (facts["status"], facts["digest"]) == ("time_limit", run.digest)
     assert facts["record"] == "none"
     assert facts["events.ball_cushion"] == "11"
-    assert names_in(tmp_path / "out") == {"run.json"}
+    assert names_in(tmp_path / "out") == {"run.json", "report.html"}
     found = json.loads(fine(*words, "--json"))
     assert (found["record"], found["events"], found["digest"]) == ("none", None, run.digest)
     assert json.loads(fine("run", "midterm", "--json"))["record"] == "all"

@@ -65,6 +65,11 @@ class ColumnTable:
     def __repr__(self) -> str:
         return f"{type(self).__name__}: {len(self)} rows of {', '.join(self.names)}"
 
+    def _repr_html_(self) -> str:
+        from carom.report import table_card
+
+        return table_card(self, f"{type(self).__name__}, {len(self)} rows")
+
     def to_dict(self) -> dict[str, NDArray[Any]]:
         """Give the columns as a new dict; the arrays are shared, not copied."""
         return dict(self._columns)

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import shlex
+from collections.abc import Mapping
+from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -61,6 +64,27 @@ def read_setting(setting: str) -> tuple[str, Any]:
         return path, json.loads(value)
     except json.JSONDecodeError:
         return path, value
+
+
+def command_line(command: str, source: str, given: Mapping[str, Any]) -> str:
+    """Give the line that asks for this again: a command, a scenario, and the options that are not None.
+
+    Examples
+    --------
+    >>> command_line("run", "midterm", {"--set": ["duration=10", "title=A b"], "--dt": 0.03, "--duration": None})
+    "carom run midterm --set duration=10 --set 'title=A b' --dt 0.03"
+    """
+    words = ["carom", command, source]
+    for name, value in given.items():
+        values = value if isinstance(value, list) else [] if value is None else [value]
+        words += [word for each in values for word in (name, _word(each))]
+    return shlex.join(words)
+
+
+def _word(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value!r}".removesuffix(".0")
+    return str(value.value if isinstance(value, Enum) else value)
 
 
 def read_formats(formats: list[str] | None) -> list[str]:

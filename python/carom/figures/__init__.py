@@ -1,4 +1,4 @@
-"""Figures of runs, for papers and slides.
+"""Figures of scenarios and runs, for papers and slides.
 
 Every figure takes `ax` (the filmstrip `axes`), draws there or on a new figure of its own outside pyplot, and
 returns where it drew. `save_figure` writes PNG, PDF or SVG.
@@ -7,6 +7,7 @@ returns where it drew. `save_figure` writes PNG, PDF or SVG.
 from carom.figures.compare import plot_errors
 from carom.figures.filmstrip import filmstrip
 from carom.figures.paths import plot_paths
+from carom.figures.scenario import plot_scenario
 from carom.figures.series import plot_energy, plot_momentum, plot_speed
 from carom.figures.style import FORMATS, figure_of, save_figure
 
@@ -18,6 +19,7 @@ __all__ = [
     "plot_errors",
     "plot_momentum",
     "plot_paths",
+    "plot_scenario",
     "plot_speed",
     "save_figure",
 ]
