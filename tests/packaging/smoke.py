@@ -37,7 +37,7 @@ def main() -> None:
         check_extras()
         os.chdir(before)
     where = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}, numpy {version('numpy')}"
-    print(f"carom {version('carom')} on {where}: {digests} golden digests, import in {milliseconds:.0f} ms")
+    print(f"carom {version('carom')} on {where}: {digests} golden digests, import in {milliseconds:.1f} ms")
 
 
 def check_import() -> float:
