@@ -59,6 +59,7 @@ format: $(VENV)/.tools ## Format the code, and mend what the linter can mend
 
 licences: build ## Check the licences of all that is shipped, and THIRD-PARTY.txt
 	@$(need_rust)
+	$(BIN)/python -m doctest tests/packaging/licences.py
 	$(BIN)/python tests/packaging/licences.py
 
 third-party: build ## Write THIRD-PARTY.txt anew, after a change of Cargo.lock

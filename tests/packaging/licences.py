@@ -69,23 +69,11 @@ class Crate:
 def main() -> None:
     """Check, or write with --write; ends the process with 1 if something is wrong."""
     crates = sorted(shipped_crates())
+    packages = {name: licence_of(distribution(name)) for name in sorted(packages_of(Requirement("carom[all]")))}
     notice = notice_of(crates)
     if sys.argv[1:] == ["--write"]:
         NOTICE.write_text(notice, encoding="utf-8", newline="\n")
-    problems = [
-        f"crate {crate.name} {crate.version}: {crate.licence} is not allowed"
-        for crate in crates
-        if not is_allowed(crate.licence)
-    ]
-    problems += [
-        f"crate {crate.name} {crate.version}: its source has no licence text" for crate in crates if not crate.texts
-    ]
-    packages = {name: licence_of(distribution(name)) for name in sorted(packages_of(Requirement("carom[all]")))}
-    problems += [
-        f"Python package {name}: {licence} is not allowed"
-        for name, licence in packages.items()
-        if name not in EXCEPTIONS and not is_allowed(licence)
-    ]
+    problems = [*problems_of_crates(crates), *problems_of_packages(packages)]
     if not NOTICE.exists() or NOTICE.read_text(encoding="utf-8") != notice:
         problems.append(f"{NOTICE.name} is stale: make third-party writes it anew")
     if problems:
@@ -94,8 +82,31 @@ def main() -> None:
     print("\n".join(f"  {name}: {why}" for name, why in EXCEPTIONS.items()))
 
 
+def problems_of_crates(crates: list[Crate]) -> Iterator[str]:
+    """Name the crates that may not be shipped, or not without a text that they do not have."""
+    for crate in crates:
+        if not is_allowed(crate.licence):
+            yield f"crate {crate.name} {crate.version}: {crate.licence} is not allowed"
+        if not crate.texts:
+            yield f"crate {crate.name} {crate.version}: its source has no licence text"
+
+
+def problems_of_packages(packages: dict[str, str]) -> Iterator[str]:
+    """Name the Python packages whose licences are not allowed, and exceptions that are none any more."""
+    for name, licence in packages.items():
+        if name not in EXCEPTIONS and not is_allowed(licence):
+            yield f"Python package {name}: {licence} is not allowed"
+    yield from (f"Python package {name}: an exception, but not needed" for name in EXCEPTIONS.keys() - packages.keys())
+
+
 def is_allowed(licence: str) -> bool:
-    """Whether an SPDX expression leaves a choice of allowed licences only."""
+    """Whether an SPDX expression can be met with allowed licences only.
+
+    >>> [is_allowed(text) for text in ("MIT", "MIT/Apache-2.0", "GPL-3.0-only OR MIT", "(MIT OR MPL-2.0) AND Zlib")]
+    [True, True, True, True]
+    >>> [is_allowed(text) for text in ("GPL-3.0-only", "MIT AND LGPL-3.0-only", "MPL-2.0", "GPL WITH care", "", "none")]
+    [False, False, False, False, False, False]
+    """
     expression = parsed(licence)
     return expression is not None and _is_allowed(expression)
 
@@ -179,7 +190,7 @@ def licence_of(package: Distribution) -> str:
     said = package.metadata
     classified = [line.split(" :: ")[-1] for line in said.get_all("Classifier", []) if line.startswith("License")]
     words = " AND ".join(SPDX.get(words, words) for words in classified if words != "OSI Approved")
-    fields = (said["License-Expression"], said["License"], words)
+    fields = (said.get("License-Expression"), said.get("License"), words)
     return next(
         (field for field in fields if field and parsed(field) is not None), "a licence that its metadata does not tell"
     )
