@@ -189,11 +189,11 @@ def licence_of(package: Distribution) -> str:
     """Give a Python package's licence as an SPDX expression, from the first field of its metadata that has one."""
     said = package.metadata
     classified = [line.split(" :: ")[-1] for line in said.get_all("Classifier", []) if line.startswith("License")]
-    words = " AND ".join(SPDX.get(words, words) for words in classified if words != "OSI Approved")
-    fields = (said.get("License-Expression"), said.get("License"), words)
-    return next(
-        (field for field in fields if field and parsed(field) is not None), "a licence that its metadata does not tell"
-    )
+    in_words = " AND ".join(SPDX.get(name, name) for name in classified if name != "OSI Approved")
+    for field in (said.get("License-Expression"), said.get("License"), in_words):
+        if field and parsed(field) is not None:
+            return field
+    return "a licence that its metadata does not tell"
 
 
 if __name__ == "__main__":
