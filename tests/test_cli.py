@@ -109,6 +109,18 @@ def test_piped_output_has_no_colours(tmp_path: Path) -> None:
     assert ESCAPE not in done.stdout
 
 
+def test_piped_output_is_utf8_whatever_the_system_speaks(tmp_path: Path) -> None:
+    path = tmp_path / "\N{GREEK SMALL LETTER PI}.toml"
+    fine("scenarios", "--copy", "midterm", path)
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace('id = "red"', 'id = "ž"'), encoding="utf-8")
+    done = process("run", path, PYTHONIOENCODING="cp1252")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "\tž\t" in done.stdout
+    done = process("check", path.with_name("no π.toml"), PYTHONIOENCODING="ascii")
+    assert (done.returncode, done.stderr) == (1, f"error: {path.with_name('no π.toml')}: no such file\n")
+
+
 def test_run_writes_tables_figures_and_film(tmp_path: Path, run: carom.Run) -> None:
     out = tmp_path / "deep" / "out"
     fine("run", "midterm", "--out", out)
@@ -180,6 +192,14 @@ def test_figures_come_in_the_formats_asked_for(tmp_path: Path) -> None:
     fine("run", "midterm", "--out", tmp_path / "out", "--format", "svg,pdf", "--no-animation")
     expected = {f"{name}.{kind}" for name in FIGURES for kind in ("svg", "pdf")}
     assert names_in(tmp_path / "out") == RUN_FILES | expected
+
+
+def test_a_film_comes_in_the_kind_asked_for(tmp_path: Path) -> None:
+    pytest.importorskip("imageio_ffmpeg", reason="carom[movie] is not installed")
+    out = tmp_path / "out"
+    fine("run", "midterm", "--duration", "1", "--no-figures", "--out", out)
+    fine("run", "midterm", "--duration", "1", "--no-figures", "--animation", "mp4", "--out", out, "--overwrite")
+    assert names_in(out) == RUN_FILES | {"animation.mp4"}
 
 
 def test_a_folder_that_holds_a_run_is_refused(tmp_path: Path) -> None:
@@ -267,9 +287,9 @@ def test_no_folder_is_no_place_for_results(tmp_path: Path, monkeypatch: pytest.M
 
 def test_errors_speak_of_the_file_asked_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    assert shell("scenarios", "--copy", "midterm", "nodir/x.toml").stderr == (
-        "error: nodir/x.toml: the folder nodir does not exist\n"
-    )
+    path = Path("nodir") / "x.toml"
+    done = shell("scenarios", "--copy", "midterm", path)
+    assert done.stderr == f"error: {path}: the folder nodir does not exist\n"
 
 
 def test_set_changes_values() -> None:
@@ -539,6 +559,7 @@ def test_bench_gives_a_median(tmp_path: Path) -> None:
 
 def test_version_and_help() -> None:
     assert fine("--version").strip() == f"carom {carom.__version__}"
+    assert fine("--cite") == carom.citation() + "\n"
     for command in ("run", "compare", "check", "verify", "scenarios", "schema", "bench"):
         printed = fine(command, "--help")
         assert f"carom {command}" in printed.split("For example:")[1]

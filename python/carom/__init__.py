@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from carom._engine import PHYSICS_VERSION, __version__, schema
     from carom.ball import Ball
+    from carom.cite import citation
     from carom.columns import ColumnTable
     from carom.errors import CaromError, MissingExtraError, RunError, ScenarioError, SimulationError
     from carom.events import Event, EventTable
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 _HOMES = {
     "_engine": ["PHYSICS_VERSION", "__version__", "schema"],
     "ball": ["Ball"],
+    "cite": ["citation"],
     "columns": ["ColumnTable"],
     "errors": ["CaromError", "MissingExtraError", "RunError", "ScenarioError", "SimulationError"],
     "events": ["Event", "EventTable"],
@@ -74,6 +76,7 @@ __all__ = [
     "Verification",
     "Wall",
     "__version__",
+    "citation",
     "load",
     "load_run",
     "scenarios",

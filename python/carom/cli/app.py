@@ -32,10 +32,21 @@ def _print_version(wanted: bool) -> None:
         raise typer.Exit
 
 
+def _print_citation(wanted: bool) -> None:
+    if wanted:
+        import carom
+
+        typer.echo(carom.citation())
+        raise typer.Exit
+
+
 @app.callback()
 def _options(
     version: Annotated[
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version.")
+    ] = False,
+    cite: Annotated[
+        bool, typer.Option("--cite", callback=_print_citation, is_eager=True, help="Print how to cite Carom.")
     ] = False,
 ) -> None:
     pass

@@ -12,6 +12,7 @@ from carom.cli import options
 from carom.cli.folder import check_free, filling
 from carom.cli.output import PROBLEM, print_json, print_table, reporting, say_error
 from carom.errors import ScenarioError
+from carom.extras import needed
 
 if TYPE_CHECKING:
     from carom.run import Run
@@ -19,10 +20,10 @@ if TYPE_CHECKING:
 
 FIGURES = ("filmstrip", "paths", "energy", "speed", "momentum")
 TABLES = ("events.csv", "trajectory.csv", "steps.csv")
-FILM = "animation.gif"
+FILMS = ("animation.gif", "animation.mp4")
 REPORT = "report.html"
 MARK = "run.json"
-NAMES = (*TABLES, FILM, REPORT, MARK, *(f"{name}.{kind}" for name in FIGURES for kind in ("png", "svg", "pdf")))
+NAMES = (*TABLES, *FILMS, REPORT, MARK, *(f"{name}.{kind}" for name in FIGURES for kind in ("png", "svg", "pdf")))
 
 SAMPLES = 500
 MOST_SAMPLES = 1e7
@@ -36,6 +37,13 @@ class MethodName(str, Enum):
 
     exact = "exact"
     stepped = "stepped"
+
+
+class FilmFormat(str, Enum):
+    """The words after ``--animation``."""
+
+    gif = "gif"
+    mp4 = "mp4"
 
 
 @reporting()
@@ -54,13 +62,14 @@ def run(
     overwrite: options.Overwrite = False,
     formats: options.Formats = None,
     no_figures: Annotated[bool, typer.Option("--no-figures", help="Write no figures.")] = False,
+    animation: Annotated[FilmFormat, typer.Option(help="Kind of film; mp4 needs carom[movie].")] = FilmFormat.gif,
     no_animation: Annotated[bool, typer.Option("--no-animation", help="Write no animation.")] = False,
     as_json: options.Json = False,
 ) -> None:
     """Compute a run; print its events and its diagnostics.
 
     With --out also write report.html (all of it in one page), events.csv, trajectory.csv, steps.csv (stepped),
-    run.json, figures (filmstrip, paths, energy, speed, momentum) and animation.gif. Without it nothing is
+    run.json, figures (filmstrip, paths, energy, speed, momentum) and an animation. Without it nothing is
     written. A run longer than 20 is filmed faster than it is; animation_speed says how much.
     """
     kinds = options.read_formats(formats)
@@ -68,6 +77,8 @@ def run(
         raise typer.BadParameter("must be positive and finite", param_hint="--sample")
     if out is not None:
         check_free(out, NAMES, overwrite=overwrite)
+        if animation is FilmFormat.mp4 and not no_animation:
+            needed("imageio_ffmpeg", "movie")
     chosen = options.load_with(scenario, settings)
     result = chosen.run(
         method=_method(chosen, method, dt), duration=duration, collisions=collisions, max_events=max_events
@@ -81,7 +92,7 @@ def run(
             written = _write_data(result, folder, sample)
             pictures: dict[str, bytes] = {}
             written += [] if no_figures else _write_figures(result, folder, kinds, pictures)
-            written += [] if film_speed is None else _write_film(result, folder, film_speed)
+            written += [] if film_speed is None else _write_film(result, folder, animation, film_speed)
             written += _write_report(result, folder, pictures, written, command)
     facts = {"out": None if out is None else str(out), "files": written, "animation_speed": film_speed}
     _print_json(result, facts) if as_json else _print_tables(result, facts)
@@ -146,11 +157,12 @@ def _film_speed(run: Run) -> float | None:
     return max(1.0, run.end_time / LONGEST_FILM) if run.record == "all" and run.end_time > 0.0 else None
 
 
-def _write_film(run: Run, folder: Path, speed: float) -> list[str]:
+def _write_film(run: Run, folder: Path, kind: FilmFormat, speed: float) -> list[str]:
     from carom.animation import animate
 
-    animate(run, folder / FILM, speed=speed)
-    return [FILM]
+    film = f"animation.{kind.value}"
+    animate(run, folder / film, speed=speed)
+    return [film]
 
 
 def _write_report(run: Run, folder: Path, pictures: dict[str, bytes], files: list[str], command: str) -> list[str]:

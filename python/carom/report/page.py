@@ -10,6 +10,7 @@ from importlib import metadata
 from typing import TYPE_CHECKING
 
 from carom import _engine
+from carom.cite import citation
 from carom.files import write_text
 from carom.report import words
 from carom.report.parameters import ball_table, law_rows, limit_rows, method_rows, table_rows
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from carom.run import Run
 
 LONGEST_TEXT = 1_000_000
-CITATION = "The Carom authors. Carom: an event-driven engine for billiards and hard discs. Version {}."
 
 
 def report_html(
@@ -69,7 +69,7 @@ def report_html(
         versions=_versions(run),
         command=command,
         files=files,
-        citation=CITATION.format(_engine.__version__),
+        citation=citation().splitlines()[0],
     )
 
 
