@@ -17,7 +17,22 @@ if TYPE_CHECKING:
     from carom._engine import PHYSICS_VERSION, __version__, schema
     from carom.ball import Ball
     from carom.columns import ColumnTable
-    from carom.errors import CaromError, MissingExtraError, RunError, ScenarioError, SimulationError
+    from carom.comparison import (
+        RunComparison,
+        StepComparison,
+        TrajectoryComparison,
+        compare,
+        compare_steps,
+        compare_trajectory,
+    )
+    from carom.errors import (
+        CaromError,
+        MissingExtraError,
+        RunError,
+        ScenarioError,
+        SimulationError,
+        TrajectoryError,
+    )
     from carom.events import Event, EventTable
     from carom.library import scenarios
     from carom.method import Exact, Stepped
@@ -31,7 +46,22 @@ _HOMES = {
     "_engine": ["PHYSICS_VERSION", "__version__", "schema"],
     "ball": ["Ball"],
     "columns": ["ColumnTable"],
-    "errors": ["CaromError", "MissingExtraError", "RunError", "ScenarioError", "SimulationError"],
+    "comparison": [
+        "RunComparison",
+        "StepComparison",
+        "TrajectoryComparison",
+        "compare",
+        "compare_steps",
+        "compare_trajectory",
+    ],
+    "errors": [
+        "CaromError",
+        "MissingExtraError",
+        "RunError",
+        "ScenarioError",
+        "SimulationError",
+        "TrajectoryError",
+    ],
     "events": ["Event", "EventTable"],
     "library": ["scenarios"],
     "method": ["Exact", "Stepped"],
@@ -64,16 +94,23 @@ __all__ = [
     "Physics",
     "Restitution",
     "Run",
+    "RunComparison",
     "RunError",
     "Scenario",
     "ScenarioError",
     "Simulation",
     "SimulationError",
+    "StepComparison",
     "Stepped",
     "Table",
+    "TrajectoryComparison",
+    "TrajectoryError",
     "Verification",
     "Wall",
     "__version__",
+    "compare",
+    "compare_steps",
+    "compare_trajectory",
     "load",
     "load_run",
     "scenarios",

@@ -11,7 +11,7 @@ from typing import Any
 import typer
 
 from carom.cli import INTERRUPTED
-from carom.errors import CaromError, ScenarioError
+from carom.errors import CaromError, ListedError
 
 PROBLEM = 1
 
@@ -21,7 +21,7 @@ def reporting() -> Iterator[None]:
     """Turn what can go wrong in a command into lines on stderr and an exit code; also a decorator."""
     try:
         yield
-    except ScenarioError as error:
+    except ListedError as error:
         for place, message in error.problems:
             say_error(place, message)
         raise typer.Exit(PROBLEM) from None

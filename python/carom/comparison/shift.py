@@ -1,0 +1,57 @@
+"""Rows that are right but at the wrong time: lost, doubled, or with a clock that is set wrong."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from carom.comparison.fit import Fit
+
+MOST_ROWS_SHIFTED = 3
+LEAST_ROWS = 4
+"""So many rows make a shift more than chance."""
+
+
+def find_shift(fit: Fit) -> str | None:
+    """Say by how much the rows from the first that differs on are shifted in time, where all of them are."""
+    assert fit.first is not None
+    start = f"from {fit.rows.where(fit.first)} on" if fit.first else "all along"
+    if fit.spacing is not None:
+        for count in range(1, MOST_ROWS_SHIFTED + 1):
+            for sign in (1, -1):
+                if _fits_later(fit, sign * count * fit.spacing):
+                    return f"{start} every row agrees with Carom {_speak_of_rows(sign * count)}"
+    shift = _estimate(fit)
+    if shift is None or not _fits_later(fit, shift):
+        return None
+    words = "earlier" if shift < 0 else "later"
+    return f"{start} every row is Carom's place {abs(shift):.6g} {words} in time: the clock is set wrong"
+
+
+def _speak_of_rows(count: int) -> str:
+    number = "one row" if abs(count) == 1 else f"{abs(count)} rows"
+    if count > 0:
+        return f"{number} later: {number} {'is' if count == 1 else 'are'} lost there, and the clock went on without"
+    return f"{number} earlier: {number} too many there, and the clock went on"
+
+
+def _fits_later(fit: Fit, shift: float) -> bool:
+    """Tell whether the run `shift` later has the places of all rows from the first that differs on."""
+    times = fit.rows.times[fit.first : fit.count] + shift
+    inside = (times >= 0.0) & (times <= fit.run.end_time)
+    # Rows whose time is outside the run after the shift say nothing; most have to say something.
+    if inside.sum() < max(LEAST_ROWS, 0.5 * len(times)):
+        return False
+    found = fit.rows.places[fit.first : fit.count][inside]
+    expected = fit.run.positions(times[inside])[:, list(fit.rows.balls), :2]
+    return bool(np.all(np.linalg.norm(found - expected, axis=-1) <= fit.tolerance))
+
+
+def _estimate(fit: Fit) -> float | None:
+    """Give the shift in time that explains the first row that differs, were all balls on their straight ways."""
+    row = fit.first
+    velocities = fit.run.velocities(min(fit.rows.times[row], fit.run.end_time))[list(fit.rows.balls), :2]
+    squares = float(np.sum(velocities**2))
+    return float(np.sum(velocities * fit.offsets[row])) / squares if squares > 0.0 else None
