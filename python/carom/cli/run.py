@@ -73,7 +73,7 @@ def run(
         check_free(out, NAMES, overwrite=overwrite)
     chosen = options.load_with(scenario, settings)
     result = chosen.run(
-        method=_method(chosen, method, dt), duration=duration, collisions=collisions, max_events=max_events
+        method=choose_method(chosen, method, dt), duration=duration, collisions=collisions, max_events=max_events
     )
     written: list[str] = []
     film_speed = None if out is None or no_animation else _film_speed(result)
@@ -89,7 +89,7 @@ def run(
         raise typer.Exit(PROBLEM)
 
 
-def _method(scenario: Scenario, name: MethodName | None, dt: float | None) -> dict[str, Any] | None:
+def choose_method(scenario: Scenario, name: MethodName | None, dt: float | None) -> dict[str, Any] | None:
     """Choose the method: None leaves the scenario's own; a stepped one keeps the readings it has there."""
     if name is MethodName.exact:
         if dt is not None:

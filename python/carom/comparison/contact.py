@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from carom.events import Event
 
 PART = 1e-6
+HARDLY = 0.1
+"""A ball hardly moves that goes less than this part of its way in the run."""
 SMALLEST_ANGLE = 0.01
 """In degrees: a normal that is turned by less is not spoken of."""
 
@@ -44,7 +46,7 @@ class Contact:
         """Say what the balls do in the trajectory."""
         if len(self.seen) == 0:
             return []
-        steps = (self._straight, self._standing, self._exchanged, self._momentum, self._direction, self._strength)
+        steps = (self._straight, self._exchanged, self._momentum, self._direction, self._strength)
         return next((sentences for step in steps if (sentences := step())), [])
 
     @property
@@ -84,6 +86,24 @@ class Contact:
         """Give the impulse on a ball in the trajectory."""
         return self.masses[side] * (self.velocity(side) - self.before[side])
 
+    def standing(self) -> list[str]:
+        """Find balls that hardly move after their contact: in two steps of the file at least, both of them."""
+        rows, first = self.fit.rows, self.fit.first
+        if first is None or not all(ball in rows.balls for ball in self.balls):
+            return []
+        columns = [rows.balls.index(ball) for ball in self.balls]
+        ways = np.linalg.norm(np.diff(rows.places[first:, columns], axis=0), axis=-1).max(axis=1)
+        speed = max(float(np.linalg.norm(just_after(self.fit, self.event, ball))) for ball in self.balls)
+        moving = ways > HARDLY * speed * np.diff(rows.times[first:])
+        count = int(np.argmax(moving)) if moving.any() else len(moving)
+        if count < 2:
+            return []
+        return [
+            f"in the file both balls hardly move from {rows.where(first)} to {rows.where(first + count)}, as when the "
+            "impulse is too weak to part them (a normal that is not of length 1?) and their collision is found anew in "
+            "every step"
+        ]
+
     def _same(self, one: Vector, other: Vector) -> bool:
         return bool(np.linalg.norm(one - other) <= self.room)
 
@@ -94,22 +114,6 @@ class Contact:
         if straight == self.seen:
             return [f"in the file {self.names[straight[0]]} goes straight on"]
         return []
-
-    def _standing(self) -> list[str]:
-        """Find balls that both stop at their contact, for all rows that their velocities were taken from."""
-        if len(self.seen) < 2 or not all(self._same(self.velocity(side), np.zeros(2)) for side in (0, 1)):
-            return []
-        first = self.fit.first
-        assert first is not None
-        columns = [self.fit.rows.balls.index(ball) for ball in self.balls]
-        places = self.fit.rows.places[first:, columns]
-        moved = np.any(np.abs(places - places[0]) > self.fit.tolerance, axis=(1, 2))
-        last = first + (int(np.argmax(moved)) if moved.any() else len(moved)) - 1
-        return [
-            f"in the file both balls stand still at their contact from {self.fit.rows.where(first)} to "
-            f"{self.fit.rows.where(last)}, as when a collision is found anew in every step because its impulse "
-            "does not part the balls"
-        ]
 
     def _exchanged(self) -> list[str]:
         if len(self.seen) < 2 or not all(self._same(self.velocity(side), self.before[1 - side]) for side in (0, 1)):

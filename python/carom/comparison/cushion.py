@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.comparison.motion import just_after, just_before, said
+from carom.comparison.motion import just_after, just_before
 
 if TYPE_CHECKING:
     from carom.comparison.fit import Fit
@@ -33,8 +33,8 @@ def explain_cushion(fit: Fit, event: Event, ball: int, motion: Motion) -> list[s
     wanted = _factor(carom, before, normal, -1.0), _factor(carom, before, along, 1.0)
     seen = abs(before @ along) > 1e3 * room
     room_of = room / abs(before @ normal), room / abs(before @ along) if seen else np.inf
-    factors = f"the normal component of {name}'s velocity times {-found[0]:.6g} (Carom: {-wanted[0]:.6g})"
-    factors += f", the tangential one times {found[1]:.6g} (Carom: {wanted[1]:.6g})" if seen else ""
+    factors = f"the normal component of {name}'s velocity by {-found[0]:.6g} (Carom: {-wanted[0]:.6g})"
+    factors += f", the tangential one by {found[1]:.6g} (Carom: {wanted[1]:.6g})" if seen else ""
     conclusion = _conclude(found, wanted, room_of) if seen else ""
     return [f"in the file this cushion multiplies {factors}{conclusion and ': ' + conclusion}"]
 

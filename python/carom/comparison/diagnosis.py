@@ -9,7 +9,7 @@ import numpy as np
 from carom.comparison.contact import Contact
 from carom.comparison.cushion import explain_cushion
 from carom.comparison.fit import CLOCK
-from carom.comparison.motion import Motion, Track, precision, said, settled
+from carom.comparison.motion import Motion, Track, acceleration_of, precision, said, settled
 from carom.comparison.shift import find_shift
 from carom.comparison.start import explain_start
 
@@ -58,6 +58,8 @@ def _cause(fit: Fit, ball: int) -> list[str]:
         told = [f"the last event of {name} before it is {speak_of(fit, event)}"]
         if event.time < time < settled(fit, event):
             return told
+        if stuck := _standing(fit, event):
+            return told + stuck
     motion = Track(fit, ball).motion_after(event)
     if motion is None:
         return told
@@ -99,8 +101,6 @@ def _step_of(fit: Fit, event: Event) -> int:
 
 def _carried(fit: Fit, event: Event, velocity: Vector, time: float) -> Vector:
     """Give the velocity that one after an event has become at a time."""
-    from carom.comparison.motion import acceleration_of
-
     return velocity + acceleration_of(fit) * (time - settled(fit, event))
 
 
@@ -129,6 +129,19 @@ def _begins_at(fit: Fit, ball: int, event: Event, change: Vector) -> bool:
     return not astray and abs(time - since - start) <= time - before
 
 
+def _standing(fit: Fit, event: Event) -> list[str]:
+    """Speak of two balls that do not come apart where the run's do, right before the first row that differs."""
+    assert fit.first is not None
+    if event.kind != "ball_ball" or settled(fit, event) < fit.rows.times[fit.first - 1] - CLOCK * fit.run.end_time:
+        return []
+    return Contact(fit, event, _balls_of(fit, event), (None, None)).standing()
+
+
+def _balls_of(fit: Fit, event: Event) -> tuple[int, int]:
+    one, two = (fit.run.ball_ids.index(name) for name in event.balls)
+    return one, two
+
+
 def _explain(fit: Fit, ball: int, event: Event, motion: Motion) -> list[str]:
     if event.cluster is not None or event.time == 0.0:
         return []
@@ -136,9 +149,9 @@ def _explain(fit: Fit, ball: int, event: Event, motion: Motion) -> list[str]:
         return explain_cushion(fit, event, ball, motion)
     if event.kind != "ball_ball":
         return []
-    balls = [fit.run.ball_ids.index(name) for name in event.balls]
-    after = [motion if each == ball else _motion_of_other(fit, each, event) for each in balls]
-    return Contact(fit, event, (balls[0], balls[1]), (after[0], after[1])).explain()
+    balls = _balls_of(fit, event)
+    one, two = (motion if each == ball else _motion_of_other(fit, each, event) for each in balls)
+    return Contact(fit, event, balls, (one, two)).explain()
 
 
 def _motion_of_other(fit: Fit, ball: int, event: Event) -> Motion | None:

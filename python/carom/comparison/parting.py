@@ -51,8 +51,18 @@ class Parting:
         count = f"{self.same} {'is' if self.same == 1 else 'are'} the same"
         if self.event is None:
             return f"all {count}" if self.same else "there are none"
-        said = [f"{_speak_of(event)} in {name}" for event, name in zip((self.event_a, self.event_b), names, strict=True)]
-        return f"{count}; then {self.ball} meets {said[0]}, {said[1]}"
+        events = zip((self.event_a, self.event_b), names, strict=True)
+        met = ", ".join(f"{self._met(event)} in {name}" for event, name in events)
+        return f"{count}; then {self.ball} meets {met}"
+
+    def _met(self, event: Event | None) -> str:
+        if event is None:
+            return "nothing more"
+        what = f"the {event.cushion} cushion" if event.cushion is not None else " and ".join(self._others(event))
+        return f"{what} at t = {event.time:.6g}"
+
+    def _others(self, event: Event) -> list[str]:
+        return [name for name in event.balls if name != self.ball]
 
 
 def find_parting(a: Run, b: Run, balls: list[str], end: float) -> Parting:
@@ -92,11 +102,3 @@ def _by_ball(run: Run, end: float) -> dict[str, list[Event]]:
 
 def _sort(event: Event) -> Sort:
     return event.kind, frozenset(event.balls), event.cushion
-
-
-def _speak_of(event: Event | None) -> str:
-    if event is None:
-        return "nothing more"
-    if event.cushion is not None:
-        return f"the {event.cushion} cushion at t = {event.time:.6g}"
-    return f"{' and '.join(event.balls)} at t = {event.time:.6g}"

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.columns import ColumnTable
+from carom.columns import ColumnTable, column_of
 from carom.comparison.parting import Parting, find_parting
 from carom.errors import RunError
 from carom.run import Run
@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 SAMPLES = 1000
 THRESHOLDS = (1e-12, 1e-9, 1e-6, 1e-3)
 """Distances for which is said when they are first exceeded."""
+
+WORDS = ("title", "description")
+"""What a scenario says of itself, without effect on its run."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -73,9 +76,9 @@ class RunComparison:
     def changes(self) -> ColumnTable:
         """What differs between the two scenarios: ``value`` by its path, and what it is in ``a`` and ``b``, or None."""
         one, two = (dict(_flat(run.scenario.to_dict())) for run in (self.a, self.b))
-        paths = [path for path in one | two if one.get(path) != two.get(path)]
+        paths = [path for path in one | two if one.get(path) != two.get(path) and path not in WORDS]
         columns = {"value": paths, "a": [one.get(path) for path in paths], "b": [two.get(path) for path in paths]}
-        return ColumnTable({name: _objects(column) for name, column in columns.items()})
+        return ColumnTable({name: column_of([*column, None])[:-1] for name, column in columns.items()})
 
     @cached_property
     def parting(self) -> Parting:
@@ -114,7 +117,7 @@ class RunComparison:
         """
         found = np.nan_to_num(self.distances)
         columns = {
-            "ball": _objects(self.balls),
+            "ball": column_of(self.balls),
             "largest": found.max(axis=0, initial=0.0),
             "at": self.times[found.argmax(axis=0)],
         }
@@ -169,10 +172,12 @@ class RunComparison:
 
     def __repr__(self) -> str:
         lines = [("verdict", self.verdict), ("events", self.parting.speak(self.names))]
-        for name, largest, at in zip(*(self.by_ball[key][:MOST_NAMED] for key in ("ball", "largest", "at")), strict=True):
-            lines.append((str(name), f"largest distance {largest:.3g} at t = {at:.6g}"))
+        far = self.by_ball["largest"]
+        for ball in np.argsort(-far, kind="stable")[:MOST_NAMED]:
+            at = self.by_ball["at"][ball]
+            lines.append((self.balls[ball], f"largest distance {far[ball]:.3g} at t = {at:.6g}"))
         if len(self.balls) > MOST_NAMED:
-            lines.append(("...", f"and {len(self.balls) - MOST_NAMED} more balls"))
+            lines.append(("...", f"and {len(self.balls) - MOST_NAMED} balls with smaller ones"))
         return block(f"RunComparison of {' and '.join(self.names)}", [*lines, *(("note", note) for note in self.notes)])
 
 
@@ -239,12 +244,6 @@ def _flat(values: Any, path: str = "") -> Iterator[tuple[str, Any]]:
             yield from _flat(value, f"{path}.{value['id']}" if named else f"{path}[{place}]")
     else:
         yield path, values
-
-
-def _objects(values: list[Any]) -> NDArray[np.object_]:
-    column = np.empty(len(values), dtype=object)
-    column[:] = values
-    return column
 
 
 def _named(names: list[str]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
-from carom.columns import ColumnTable
+from carom.columns import ColumnTable, column_of
 from carom.comparison.fit import Fit
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def try_readings(
         run = scenario.with_values({"method": {**own, **reading}}).run(duration=duration, record="all")
         fit = Fit(run, rows, run.end_time, tolerance, partial)
         found.append({**reading, **_measures(fit)})
-    return ColumnTable({name: [row[name] for row in found] for name in found[0]})
+    return ColumnTable({name: column_of([row[name] for row in found]) for name in found[0]})
 
 
 def own_reading(method: dict[str, Any]) -> dict[str, str]:

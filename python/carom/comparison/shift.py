@@ -17,24 +17,27 @@ LEAST_ROWS = 4
 def find_shift(fit: Fit) -> str | None:
     """Say by how much the rows from the first that differs on are shifted in time, where all of them are."""
     assert fit.first is not None
-    start = f"from {fit.rows.where(fit.first)} on" if fit.first else "all along"
-    if fit.spacing is not None:
+    start = f"from {fit.rows.where(fit.first)} on every row" if fit.first else "every row"
+    if fit.first and fit.spacing is not None:
         for count in range(1, MOST_ROWS_SHIFTED + 1):
             for sign in (1, -1):
                 if _fits_later(fit, sign * count * fit.spacing):
-                    return f"{start} every row agrees with Carom {_speak_of_rows(sign * count)}"
+                    return f"{start} agrees with Carom {_speak_of_rows(sign * count)}"
     shift = _estimate(fit)
     if shift is None or not _fits_later(fit, shift):
         return None
     words = "earlier" if shift < 0 else "later"
-    return f"{start} every row is Carom's place {abs(shift):.6g} {words} in time: the clock is set wrong"
+    return f"{start} is at Carom's place {abs(shift):.6g} {words} in time: its clock is off by that"
 
 
 def _speak_of_rows(count: int) -> str:
     number = "one row" if abs(count) == 1 else f"{abs(count)} rows"
-    if count > 0:
-        return f"{number} later: {number} {'is' if count == 1 else 'are'} lost there, and the clock went on without"
-    return f"{number} earlier: {number} too many there, and the clock went on"
+    words = "lost" if count > 0 else "too many"
+    return f"{number} {'later' if count > 0 else 'earlier'}, as when {number} before it {_are(count)} {words}"
+
+
+def _are(count: int) -> str:
+    return "is" if abs(count) == 1 else "are"
 
 
 def _fits_later(fit: Fit, shift: float) -> bool:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.columns import ColumnTable
+from carom.columns import ColumnTable, column_of
 from carom.comparison.assignment import ColumnNames, assign
 from carom.comparison.diagnosis import diagnose
 from carom.comparison.fit import CLOCK, Fit
@@ -161,7 +161,7 @@ class TrajectoryComparison:
         largest = self.distances.argmax(axis=0) if len(self.times) else np.zeros(0, dtype=int)
         return ColumnTable(
             {
-                "ball": np.array(self.balls, dtype=object),
+                "ball": column_of(self.balls),
                 "rows": np.full(len(self.balls), len(self.times)),
                 "within": (self.distances <= self.tolerance).sum(axis=0),
                 "largest": self.distances.max(axis=0, initial=0.0),
@@ -175,6 +175,8 @@ class TrajectoryComparison:
         compared = f"{len(self.times)} rows of {', '.join(self.balls)}"
         if self:
             return f"agrees: {compared}, within {self.largest:.2g} (tolerance {self.tolerance:g})"
+        if self._fit.first is None:
+            return f"differs: {compared} are within {self.tolerance:g}, but they do not cover the run"
         within = int((~self._fit.differs).sum())
         return f"differs: {within} of {compared} are within {self.tolerance:g}"
 
