@@ -90,13 +90,13 @@ class ColumnTable:
         return needed("pyarrow", "data").table(self._columns)
 
 
-def column_of(values: Sequence[Any]) -> NDArray[Any]:
-    """Give a column of values: of words, and of what may be absent, as objects; of numbers as numbers.
+def column_of(values: Sequence[Any], *, words: bool = False) -> NDArray[Any]:
+    """Give a column of values: numbers as numbers; `words`, and what may be absent, as objects.
 
     >>> column_of(["red", None]).dtype, column_of([1.5, 2.0]).dtype
     (dtype('O'), dtype('float64'))
     """
-    if all(isinstance(value, (bool, int, float, np.generic)) for value in values):
+    if not words and all(isinstance(value, (bool, int, float, np.generic)) for value in values):
         return np.array(values)
     column = np.empty(len(values), dtype=object)
     column[:] = values

@@ -169,7 +169,9 @@ def _unforeseen(fit: Fit, ball: int, found: Vector, carom: Vector, change: Vecto
     offset = fit.offsets[fit.first, fit.rows.balls.index(ball)]
     since = float(offset @ change) / float(change @ change)
     if _last_event(fit, ball) is None and abs(time - since) <= time - before:
-        return [f"from the start {name} moves with the velocity {said(found)} in the file, {said(carom)} in Carom's run"]
+        return [
+            f"from the start {name} moves with the velocity {said(found)} in the file, {said(carom)} in Carom's run"
+        ]
     rows = f"between {fit.rows.where(fit.first - 1)} and {fit.rows.where(fit.first)}"
     events = fit.run.events.by_ball(name)
     following = events[np.asarray(events["time"] > time + CLOCK * fit.run.end_time)].first()

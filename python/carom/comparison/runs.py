@@ -77,8 +77,8 @@ class RunComparison:
         """What differs between the two scenarios: ``value`` by its path, and what it is in ``a`` and ``b``, or None."""
         one, two = (dict(_flat(run.scenario.to_dict())) for run in (self.a, self.b))
         paths = [path for path in one | two if one.get(path) != two.get(path) and path not in WORDS]
-        columns = {"value": paths, "a": [one.get(path) for path in paths], "b": [two.get(path) for path in paths]}
-        return ColumnTable({name: column_of([*column, None])[:-1] for name, column in columns.items()})
+        columns = {name: [values.get(path) for path in paths] for name, values in (("a", one), ("b", two))}
+        return ColumnTable({name: column_of(each, words=True) for name, each in {"value": paths, **columns}.items()})
 
     @cached_property
     def parting(self) -> Parting:
@@ -91,12 +91,14 @@ class RunComparison:
         even = np.linspace(0.0, self.end_time, self.samples)
         events = [np.asarray(run.events["time"], dtype=np.float64) for run in (self.a, self.b)]
         times = np.unique(np.concatenate([even, *events]))
-        return times[times <= self.end_time]
+        chosen: NDArray[np.float64] = times[times <= self.end_time]
+        return chosen
 
     @cached_property
     def distances(self) -> NDArray[np.float64]:
         """How far each ball is in `b` from its place in `a`, (n_times, n_balls) float64."""
-        return np.linalg.norm(_places(self.a, self.balls, self.times) - _places(self.b, self.balls, self.times), axis=-1)
+        apart = _places(self.a, self.balls, self.times) - _places(self.b, self.balls, self.times)
+        return np.hypot(apart[..., 0], apart[..., 1])
 
     @property
     def largest(self) -> float:
@@ -111,7 +113,7 @@ class RunComparison:
 
     @cached_property
     def by_ball(self) -> ColumnTable:
-        """A row for each ball: ``ball``, ``largest`` distance, ``at``, its time, and ``over_<d>``, when it first exceeds d.
+        """A row for each ball: ``ball``, ``largest`` distance, its time ``at``, and ``over_<d>``: first beyond d.
 
         The times are those of `times`; one that never comes is NaN.
         """

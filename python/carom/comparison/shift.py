@@ -55,6 +55,8 @@ def _fits_later(fit: Fit, shift: float) -> bool:
 def _estimate(fit: Fit) -> float | None:
     """Give the shift in time that explains the first row that differs, were all balls on their straight ways."""
     row = fit.first
-    velocities = fit.run.velocities(min(fit.rows.times[row], fit.run.end_time))[list(fit.rows.balls), :2]
+    assert row is not None
+    time = min(float(fit.rows.times[row]), fit.run.end_time)
+    velocities = fit.run.velocities(time)[list(fit.rows.balls), :2]
     squares = float(np.sum(velocities**2))
     return float(np.sum(velocities * fit.offsets[row])) / squares if squares > 0.0 else None

@@ -224,9 +224,7 @@ class Columns:
     def _texts(self, key: Any, column: NDArray[Any]) -> list[tuple[str, str]]:
         texts = Listing("values that are no numbers")
         for row, value in enumerate(column.tolist()):
-            try:
-                float(value)
-            except (TypeError, ValueError):
+            if not isinstance(value, (int, float)) and not NUMBER.fullmatch(str(value).strip()):
                 texts.add(f"{self.name}, row {row}, {key}", f"{value!r} is not a number")
         return texts.problems(self.name)
 

@@ -147,7 +147,7 @@ class TrajectoryComparison:
 
     @cached_property
     def table(self) -> ColumnTable:
-        """The rows: ``time``, per ball ``<id>.x``, ``<id>.y``, ``<id>.carom_x``, ``<id>.carom_y``, ``<id>.distance``."""
+        """The rows: ``time``, and per ball ``<id>.x``, ``.y``, ``.carom_x``, ``.carom_y`` and ``.distance``."""
         columns = {"time": self.times}
         for ball, name in enumerate(self.balls):
             for key, places in (("", self.positions), ("carom_", self._fit.expected)):
@@ -157,7 +157,7 @@ class TrajectoryComparison:
 
     @cached_property
     def by_ball(self) -> ColumnTable:
-        """A row for each ball: ``ball``, ``rows``, ``within`` the tolerance, ``largest`` distance, and ``at``, its time."""
+        """A row for each ball: ``ball``, ``rows``, ``within`` the tolerance, ``largest`` distance, its time ``at``."""
         largest = self.distances.argmax(axis=0) if len(self.times) else np.zeros(0, dtype=int)
         return ColumnTable(
             {

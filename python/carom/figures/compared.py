@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 SAMPLES = 1500
 
 
+Path = tuple["NDArray[np.float64]", "NDArray[np.float64]"]
+
+
 @dataclass(frozen=True)
 class Compared:
     """Two motions of the same balls.
@@ -48,8 +51,8 @@ class Compared:
         The balls that part then.
     events : tuple of EventTable
         The events of each run.
-    paths : two (n, n_balls, 2) float64
-        Places to draw the paths by, of the first and of the second motion.
+    paths : two pairs of (n,) and (n, n_balls, 2) float64
+        Times and places to draw the paths by, of the first and of the second motion.
     meeting : two (n_balls, 2) float64, or None
         The places at the parting.
     """
@@ -68,7 +71,7 @@ class Compared:
     parting_words: str
     parting_balls: tuple[str, ...]
     events: tuple[EventTable, ...]
-    paths: tuple[NDArray[np.float64], NDArray[np.float64]]
+    paths: tuple[Path, Path]
     meeting: tuple[NDArray[np.float64], NDArray[np.float64]] | None
 
     @classmethod
@@ -80,6 +83,13 @@ class Compared:
     def radii(self) -> NDArray[np.float64]:
         """The radii of the balls, (n_balls,) float64."""
         return self.scene.radii[[self.scene.ids.index(name) for name in self.ids]]
+
+
+def shortened(name: str, most: int) -> str:
+    """Give a name, a path's last part, in at most so many letters."""
+    name = name.replace("\\", "/").rsplit("/", 1)[-1]
+    half = most // 2
+    return name if len(name) <= most else f"{name[: half - 1]}…{name[half - most :]}"
 
 
 def _of_runs(comparison: RunComparison) -> Compared:
@@ -95,6 +105,8 @@ def _of_runs(comparison: RunComparison) -> Compared:
 
     times = [draw_times(run, SAMPLES) for run, _ in both]
     even = np.unique(np.concatenate(times))
+    even = even[even <= comparison.end_time]
+    one, two = places(even)
     meeting = None
     if parting.time is not None:
         at_a, at_b = places(np.array([parting.time]))
@@ -114,7 +126,7 @@ def _of_runs(comparison: RunComparison) -> Compared:
         parting_words="first event that differs",
         parting_balls=() if parting.event is None else parting.event.balls,
         events=(comparison.a.events, comparison.b.events),
-        paths=places(even[even <= comparison.end_time]),
+        paths=((even, one), (even, two)),
         meeting=meeting,
     )
 
@@ -125,7 +137,10 @@ def _of_trajectory(comparison: TrajectoryComparison) -> Compared:
     balls = [scene.ids.index(name) for name in comparison.balls]
     end = float(comparison.times[-1]) if len(comparison.times) else 0.0
     times = draw_times(run, SAMPLES)
-    row = None if first is None else first.row
+    meeting = None
+    if first is not None:
+        at_first = run.positions(min(first.time, run.end_time))[balls, :2]
+        meeting = at_first, comparison.positions[first.row]
     return Compared(
         scene=scene,
         other=None,
@@ -138,9 +153,9 @@ def _of_trajectory(comparison: TrajectoryComparison) -> Compared:
         in_rows=True,
         tolerance=comparison.tolerance,
         parting=None if first is None else first.time,
-        parting_words="first row that differs" if first is None else f"first that differs ({first.where})",
+        parting_words="" if first is None else f"first that differs ({first.where})",
         parting_balls=() if first is None else (first.ball,),
         events=(run.events,),
-        paths=(run.positions(times)[:, balls, :2], comparison.positions),
-        meeting=None if row is None else (run.positions(min(float(comparison.times[row]), run.end_time))[balls, :2], comparison.positions[row]),
+        paths=((times, run.positions(times)[:, balls, :2]), (comparison.times, comparison.positions)),
+        meeting=meeting,
     )

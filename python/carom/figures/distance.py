@@ -9,7 +9,7 @@ from matplotlib.ticker import LogLocator, NullLocator
 from matplotlib.transforms import blended_transform_factory
 
 from carom.figures import style
-from carom.figures.compared import Compared
+from carom.figures.compared import Compared, shortened
 from carom.figures.series import LEGEND_COLUMNS, MOST_NAMED, MOST_TICKS
 
 if TYPE_CHECKING:
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 SIZE = (6.4, 3.5)
 MOST_DOTS = 400
+ROUND_OFF = 1e-15
+"""Distances up to this part of the table's size are not drawn."""
 FEWEST_DECADES = 3.0
 RUG = 0.1
 """The part of the axes' height, at its foot, that the ticks of events have to themselves."""
@@ -29,8 +31,8 @@ def plot_distance(comparison: RunComparison | TrajectoryComparison, ax: Axes | N
     """Draw, on a logarithmic scale, how far every ball is from its place in the other run, over time.
 
     A vertical line marks the moment at which the runs part: the first event that differs, or the first row of a
-    trajectory beyond the tolerance. Ticks at the foot are the events, of both runs if there are two. Distances of
-    zero, which have no logarithm, leave gaps.
+    trajectory beyond the tolerance. Ticks at the foot are the events, of both runs if there are two. Distances that
+    are zero or no more than round-off leave gaps.
 
     Parameters
     ----------
@@ -48,7 +50,7 @@ def plot_distance(comparison: RunComparison | TrajectoryComparison, ax: Axes | N
     entries = (len(seen.ids) if few else 2) + 2 + (seen.tolerance is not None) + (seen.parting is not None)
     ax = style.new_axes(*SIZE, legend_rows=-(-entries // LEGEND_COLUMNS)) if ax is None else ax
     style.tidy_axes(ax)
-    distances = np.where(seen.distances > 0.0, seen.distances, np.nan)
+    distances = np.where(seen.distances > ROUND_OFF * seen.scene.size, seen.distances, np.nan)
     _set_scale(ax, seen, distances)
     _draw_balls(ax, seen, distances) if few else _draw_crowd(ax, seen, distances)
     if seen.tolerance:
@@ -56,7 +58,9 @@ def plot_distance(comparison: RunComparison | TrajectoryComparison, ax: Axes | N
     if seen.parting is not None:
         ax.axvline(seen.parting, ymin=RUG, color=style.INK, linewidth=1.0, linestyle=":", label=seen.parting_words)
     _draw_ticks(ax, seen)
-    ax.set_xlabel(seen.scene.label("time", "time"), fontsize=style.LABEL_SIZE)
+    ax.set_xlabel(
+        seen.scene.label("time", "time"), fontsize=style.LABEL_SIZE, loc="left" if len(seen.events) > 1 else None
+    )
     ax.set_ylabel(seen.scene.label("distance", "length"), fontsize=style.LABEL_SIZE)
     if not np.isfinite(distances).any():
         words = "no distance at any time"
@@ -131,16 +135,11 @@ def _draw_ticks(ax: Axes, seen: Compared) -> None:
                     transform=where,
                     color=style.EVENT_COLOURS[kind],
                     linewidth=1.4 if kind == "ball_ball" else 0.8,
-                    label=style.EVENT_WORDS[kind] if row == 0 else None,
+                    label=style.EVENT_WORDS[kind] if row == 0 else "",
                     zorder=2.5,
                 )
-        if rows > 1:
-            ax.text(
-                1.006,
-                top - 0.35 * RUG / rows,
-                "ab"[row],
-                transform=ax.transAxes,
-                fontsize=style.SMALL_SIZE,
-                color=style.FAINT_INK,
-                va="center",
-            )
+    if rows > 1:
+        one, two = (shortened(name, 28) for name in seen.names)
+        words = f"events: {one} above, {two} below"
+        place = {"xy": (1.0, 0.0), "xycoords": "axes fraction", "xytext": (0, -18), "textcoords": "offset points"}
+        ax.annotate(words, **place, ha="right", va="top", fontsize=style.SMALL_SIZE, color=style.FAINT_INK)  # type: ignore[arg-type]
