@@ -28,7 +28,7 @@ SettingsOfB = Annotated[
 @reporting()
 def compare(
     a: Annotated[str, typer.Argument(metavar="A", help=options.SCENARIO_OR_RUN, show_default=False)],
-    b: Annotated[str | None, typer.Argument(metavar="[B]", help="The same, to compare A with.")] = None,
+    b: Annotated[str | None, typer.Argument(metavar="B", help="The same, to compare A with.")] = None,
     trajectory: Annotated[
         Path | None, typer.Option("--with", metavar="FILE", help="Compare A with the trajectory in this CSV file.")
     ] = None,
@@ -88,11 +88,12 @@ def compare(
         check_place(place)
         compare_runs((a, b or a), duration, (settings or [], settings_a or [], settings_b or []), tolerance, place)
     else:
-        _refuse(given, ("--method", "--columns", "--delimiter", "--tolerance"), "belongs to --with FILE")
+        _refuse(given, ("--method", "--columns", "--delimiter"), "it belongs to --with FILE")
+        _refuse(given, ("--tolerance",), "it belongs to B or --with FILE")
         compare_steps(a, dt, duration, settings, place)
 
 
 def _refuse(given: Mapping[str, Any], names: tuple[str, ...], why: str) -> None:
     for name in names:
         if given[name] is not None:
-            raise typer.BadParameter(f"does not belong here: {why}", param_hint=name)
+            raise typer.BadParameter(f"cannot be given here: {why}", param_hint=name)

@@ -98,10 +98,10 @@ class Contact:
         count = int(np.argmax(moving)) if moving.any() else len(moving)
         if count < 2:
             return []
+        span = f"from {rows.where(first)} to {rows.where(first + count)}"
         return [
-            f"in the file both balls hardly move from {rows.where(first)} to {rows.where(first + count)}, as when the "
-            "impulse is too weak to part them (a normal that is not of length 1?) and their collision is found anew in "
-            "every step"
+            f"in the file both balls hardly move {span}, as when their collision does not part them and is found anew "
+            "in every step; a normal that is not of length 1, or of another direction, does that"
         ]
 
     def _same(self, one: Vector, other: Vector) -> bool:

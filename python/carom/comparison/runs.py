@@ -69,16 +69,22 @@ class RunComparison:
 
     @property
     def end_time(self) -> float:
-        """The earlier of their ends."""
-        return min(self.a.end_time, self.b.end_time)
+        """The earlier of their ends; balls at rest stay where they are, so the end of a run at rest is none."""
+        ends = {self.a.end_time, self.b.end_time}
+        return min((run.end_time for run in (self.a, self.b) if run.status != "at_rest"), default=max(ends))
 
     @cached_property
     def changes(self) -> ColumnTable:
         """What differs between the two scenarios: ``value`` by its path, and what it is in ``a`` and ``b``, or None."""
         one, two = (dict(_flat(run.scenario.to_dict())) for run in (self.a, self.b))
         paths = [path for path in one | two if one.get(path) != two.get(path) and path not in WORDS]
-        columns = {name: [values.get(path) for path in paths] for name, values in (("a", one), ("b", two))}
-        return ColumnTable({name: column_of(each, words=True) for name, each in {"value": paths, **columns}.items()})
+        return ColumnTable(
+            {
+                "value": column_of(paths, words=True),
+                "a": column_of([one.get(path) for path in paths], words=True),
+                "b": column_of([two.get(path) for path in paths], words=True),
+            }
+        )
 
     @cached_property
     def parting(self) -> Parting:

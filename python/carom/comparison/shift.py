@@ -21,7 +21,7 @@ def find_shift(fit: Fit) -> str | None:
     if fit.first and fit.spacing is not None:
         for count in range(1, MOST_ROWS_SHIFTED + 1):
             for sign in (1, -1):
-                if _fits_later(fit, sign * count * fit.spacing):
+                if _fits_rows(fit, sign * count):
                     return f"{start} agrees with Carom {_speak_of_rows(sign * count)}"
     shift = _estimate(fit)
     if shift is None or not _fits_later(fit, shift):
@@ -38,6 +38,16 @@ def _speak_of_rows(count: int) -> str:
 
 def _are(count: int) -> str:
     return "is" if abs(count) == 1 else "are"
+
+
+def _fits_rows(fit: Fit, count: int) -> bool:
+    """Tell whether all rows from the first that differs on are what the run has so many rows later."""
+    rows = np.arange(fit.first or 0, fit.count)
+    rows = rows[(rows + count >= 0) & (rows + count < fit.count)]
+    if len(rows) < LEAST_ROWS:
+        return False
+    apart = fit.rows.places[rows] - fit.expected[rows + count]
+    return bool(np.all(np.linalg.norm(apart, axis=-1) <= fit.tolerance))
 
 
 def _fits_later(fit: Fit, shift: float) -> bool:
