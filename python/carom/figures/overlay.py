@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from carom.comparison import RunComparison, TrajectoryComparison
+    from carom.figures.scene import Scene
 
 MOST_DRAWN = 6
 AFTERWARDS = 1.25
@@ -62,7 +64,7 @@ def plot_overlay(
     until = AFTERWARDS * seen.parting if crowded and seen.parting is not None else seen.end_time
     dots = seen.in_rows and len(seen.times) <= MOST_DOTS
     ax = _new_axes(seen, _handles(seen, chosen, dots, until)) if ax is None else ax
-    draw_table(ax, seen.scene, margin=MARGIN)
+    draw_table(ax, _framing_both(seen), margin=MARGIN)
     _draw_other_table(ax, seen)
     ax.set_xlabel(seen.scene.label("x", "length"), fontsize=style.LABEL_SIZE, labelpad=1)
     ax.set_ylabel(seen.scene.label("y", "length"), fontsize=style.LABEL_SIZE, labelpad=2)
@@ -93,7 +95,7 @@ def _choose(seen: Compared, balls: Sequence[str] | None) -> list[int]:
 
 def _new_axes(seen: Compared, handles: list[Line2D]) -> Axes:
     """Make an axes in the table's proportions, with a legend below it."""
-    ratio = framed_ratio(seen.scene, MARGIN)
+    ratio = framed_ratio(_framing_both(seen), MARGIN)
     width = min(5.4, 6.4 / ratio)
     left, right, above = 0.5, 0.1, 0.06
     columns, rows = _arrange([len(str(handle.get_label())) for handle in handles], left + width + right)
@@ -197,6 +199,15 @@ def _draw_meeting(ax: Axes, seen: Compared, ball: int) -> None:
         ax.plot(*places[ball], linestyle="none", zorder=4.0, **_cross())
 
 
+def _framing_both(seen: Compared) -> Scene:
+    """Give the first table with bounds in which the second has room too."""
+    if seen.other is None:
+        return seen.scene
+    one, two = np.array(seen.scene.bounds), np.array(seen.other.bounds)
+    low, high = np.minimum(one, two)[:2].tolist(), np.maximum(one, two)[2:].tolist()
+    return replace(seen.scene, bounds=(low[0], low[1], high[0], high[1]))
+
+
 def _draw_other_table(ax: Axes, seen: Compared) -> None:
     """Draw the outline of the second table where it is another one."""
     if seen.other is None or seen.other.pieces == seen.scene.pieces:
@@ -205,4 +216,3 @@ def _draw_other_table(ax: Axes, seen: Compared) -> None:
         ax.add_patch(
             PathPatch(path, fill=False, edgecolor=style.NOSE, linewidth=1.0, linestyle=(0, (4, 3)), zorder=0.7)
         )
-    ax.autoscale_view()
