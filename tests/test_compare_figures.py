@@ -72,6 +72,7 @@ def test_many_balls_are_a_crowd_and_their_farthest() -> None:
     assert comparison.parting.event is not None
     drawn = {name for name in legend_of(figures.figure_of(ax)) if name in comparison.balls}
     assert drawn == set(comparison.parting.event.balls)
+    assert f"up to t = {1.25 * comparison.parting.event.time:.3g}" in legend_of(figures.figure_of(ax))
     assert len(discs_of(ax)) == 2 * len(drawn)
 
 

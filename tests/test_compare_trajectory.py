@@ -614,6 +614,8 @@ def test_a_saved_run_is_compared_as_it_is(scheme: Scenario, right: list[course.R
     assert compare_trajectory(run, path, columns=COLUMNS, duration=3.0)
     with pytest.raises(carom.RunError, match="duration: 6 is after the end of the run at 5"):
         compare_trajectory(run, path, columns=COLUMNS, duration=6.0)
+    with pytest.raises(carom.RunError, match="duration: must be zero or positive and finite, got nan"):
+        compare_trajectory(run, path, columns=COLUMNS, duration=float("nan"))
     with pytest.raises(carom.RunError, match="kept no flights"):
         compare_trajectory(scheme.run(record="events"), path, columns=COLUMNS)
 
@@ -644,3 +646,11 @@ def test_a_tolerance_below_zero_and_a_long_delimiter_are_refused(midterm: Scenar
         compare_trajectory(midterm, {}, tolerance=-1.0)
     with pytest.raises(ValueError, match="delimiter"):
         compare_trajectory(midterm, tmp_path, delimiter=";;")
+
+
+def test_in_a_field_the_factor_of_a_cushion_is_measured_too() -> None:
+    scenario = carom.load("damped_drop")
+    other = scenario.with_values({"physics.ball_cushion.normal": 0.7}).run()
+    text = said(compare_trajectory(scenario, other.trajectory(np.arange(0.0, 2.0, 0.01)), duration=1.99))
+    assert "the contact of ball with the bottom cushion at t = 1" in text
+    assert "multiplies the normal component of ball's velocity by -0.7 (Carom: -0.8)" in text

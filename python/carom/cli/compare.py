@@ -77,6 +77,8 @@ def compare(
     two = b is not None or bool(settings_a) or bool(settings_b)
     given: dict[str, Any] = {"--dt": dt, "--method": method, "--columns": columns, "--delimiter": delimiter}
     given |= {"B": b, "--set-a": settings_a, "--set-b": settings_b, "--tolerance": tolerance}
+    if tolerance is not None and not tolerance < float("inf"):
+        raise typer.BadParameter("must be finite", param_hint="--tolerance")
     place = Destination(out, options.read_formats(formats), overwrite, as_json)
     if trajectory is not None:
         _refuse(given, ("B", "--set-a", "--set-b"), "--with compares FILE with A alone")

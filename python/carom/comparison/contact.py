@@ -132,10 +132,9 @@ class Contact:
         for side in (0, 1):
             carom = just_after(self.fit, self.event, self.balls[side])
             right = "as in Carom's run" if self._same(carom, self.velocity(side)) else f"Carom: {said(carom)}"
-            name = self.names[side]
-            sentences.append(
-                f"{name}'s velocity goes from {said(before[side])} to {said(self.velocity(side))} ({right})"
-            )
+            straight = self._same(before[side], self.velocity(side))
+            change = "stays" if straight else f"goes from {said(before[side])} to"
+            sentences.append(f"{self.names[side]}'s velocity {change} {said(self.velocity(side))} ({right})")
         return sentences
 
     def _direction(self) -> list[str]:

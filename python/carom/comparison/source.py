@@ -102,7 +102,8 @@ class TextFile:
             with self._open() as file, warnings.catch_warnings():
                 warnings.simplefilter("ignore", UserWarning)  # a header and nothing else
                 lines = self._body(file)
-                table = np.loadtxt(lines, dtype, delimiter=delimiter, comments=None, quotechar='"', ndmin=1)
+                reading: dict[str, Any] = {"delimiter": delimiter, "quotechar": '"', "comments": None}
+                table = np.loadtxt(lines, dtype, ndmin=1, encoding="utf-8", **reading)
             found = np.stack([table[f"f{column}"] for column in columns], axis=1)
         except ValueError:
             found = self._look_closely(columns)

@@ -11,6 +11,9 @@ if TYPE_CHECKING:
 
     from carom.comparison.fit import Fit
 
+SMALLEST_SCALE = 0.01
+"""A factor nearer to 1 is no other unit."""
+
 
 def explain_start(fit: Fit) -> list[str]:
     """Say how the places in the first row come from Carom's, where one rule explains them all."""
@@ -20,7 +23,7 @@ def explain_start(fit: Fit) -> list[str]:
     if names := _exchanged(fit, found, carom):
         return [f"in it {names}: are the columns named in the right order?"]
     factor = float(np.sum(found * carom) / np.sum(carom**2)) if np.any(carom) else 0.0
-    if factor > 0.0 and _near(fit, found / factor, carom):
+    if factor > 0.0 and abs(factor - 1.0) > SMALLEST_SCALE and _near(fit, found / factor, carom):
         return [f"in it all places are {factor:.6g} times Carom's: another unit of length?"]
     offset = (found - carom).mean(axis=0)
     if len(found) > 1 and _near(fit, found - offset, carom):

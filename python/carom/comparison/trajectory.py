@@ -269,6 +269,8 @@ def compare_trajectory(
 def _run_of(scenario: Scenario | Run, duration: float | None) -> Run:
     if not isinstance(scenario, Run):
         return scenario.run(duration=duration, record="all")
+    if duration is not None and not 0.0 <= duration < np.inf:
+        raise RunError(f"duration: must be zero or positive and finite, got {duration!r}")
     if duration is not None and duration > scenario.end_time and scenario.status != "at_rest":
         raise RunError(f"duration: {duration:g} is after the end of the run at {scenario.end_time:g}")
     scenario.positions(0.0)  # a run that kept no flights says so here

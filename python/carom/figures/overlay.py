@@ -25,8 +25,9 @@ if TYPE_CHECKING:
     from carom.figures.scene import Scene
 
 MOST_DRAWN = 6
+MOST_EVENTS = 60
 AFTERWARDS = 1.25
-"""In a crowd, paths are drawn to this multiple of the time at which they part."""
+"""With many balls or events, paths are drawn to this multiple of the time at which they part."""
 MOST_DOTS = 400
 OTHERS = "#b9c2c8"
 MARGIN = 0.035
@@ -36,14 +37,18 @@ LEGEND = {"frameon": False, "handletextpad": 0.5, "columnspacing": 1.4, "bordera
 
 
 def plot_overlay(
-    comparison: RunComparison | TrajectoryComparison, ax: Axes | None = None, *, balls: Sequence[str] | None = None
+    comparison: RunComparison | TrajectoryComparison,
+    ax: Axes | None = None,
+    *,
+    balls: Sequence[str] | None = None,
+    until: float | None = None,
 ) -> Axes:
     """Draw the paths of the second motion over those of the first, in the balls' colours.
 
     The first (or Carom's) is a broad pale line; the second a thin dark one, or a dot for each row of a trajectory.
     Rings are the starts, discs the ends. Crosses are where the ball is in each when they part: at the first event that
-    differs, or in the first row beyond the tolerance. Among more than six balls those that part first are drawn, until
-    a little after they do, and all others as they are then.
+    differs, or in the first row beyond the tolerance. Among more than six balls only those that part first are drawn,
+    and all others as they are then.
 
     Parameters
     ----------
@@ -53,6 +58,9 @@ def plot_overlay(
         Where to draw; a new figure is made if not given.
     balls : sequence of str, optional
         The balls to draw. Absent: all, or where there are more than six, those that part first.
+    until : float, optional
+        Draw paths up to this time. Absent: to the end, or where there are more than six balls or sixty events, until a
+        little after they part.
 
     Returns
     -------
@@ -60,8 +68,8 @@ def plot_overlay(
     """
     seen = Compared.of(comparison)
     chosen = _choose(seen, balls)
-    crowded = len(chosen) < len(seen.ids) and balls is None and seen.parting is not None
-    until = AFTERWARDS * seen.parting if crowded and seen.parting is not None else seen.end_time
+    crowded = len(chosen) < len(seen.ids) and balls is None
+    until = _choose_end(seen, crowded) if until is None else min(until, seen.end_time)
     dots = seen.in_rows and len(seen.times) <= MOST_DOTS
     ax = _new_axes(seen, _handles(seen, chosen, dots, until)) if ax is None else ax
     draw_table(ax, _framing_both(seen), margin=MARGIN)
@@ -76,6 +84,11 @@ def plot_overlay(
         for ball in chosen:
             _draw_meeting(ax, seen, ball)
     return ax
+
+
+def _choose_end(seen: Compared, crowded: bool) -> float:
+    tangled = crowded or max(len(events) for events in seen.events) > MOST_EVENTS
+    return min(AFTERWARDS * seen.parting, seen.end_time) if tangled and seen.parting else seen.end_time
 
 
 def _choose(seen: Compared, balls: Sequence[str] | None) -> list[int]:
