@@ -87,16 +87,10 @@ def speak_of(fit: Fit, event: Event) -> str:
         what = f"the contact of {event.ball_a} with the {event.cushion} cushion"
     else:
         what = f"the collision of {' and '.join(event.balls)}"
-    step = "" if fit.run.steps is None else f", in step {_step_of(fit, event)}"
+    times = fit.step_times
+    step = "" if times is None else f", in step {max(int(np.searchsorted(times, event.time)) - 1, 0)}"
     together = "" if event.cluster is None else ", one of several contacts at once"
     return f"{what} at t = {event.time:.6g}{step}{together}"
-
-
-def _step_of(fit: Fit, event: Event) -> int:
-    """Give the number of the step that an event lies in, as the run counts them."""
-    assert fit.run.steps is not None
-    row = max(int(np.searchsorted(fit.run.steps["time"], event.time)) - 1, 0)
-    return int(fit.run.steps["step"][row])
 
 
 def _carried(fit: Fit, event: Event, velocity: Vector, time: float) -> Vector:

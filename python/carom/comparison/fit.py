@@ -78,6 +78,12 @@ class Fit:
         return int(np.argmax(self.differs)) if self.differs.any() else None
 
     @cached_property
+    def step_times(self) -> NDArray[np.float64] | None:
+        """The times of a stepped run's steps; None for an exact one."""
+        steps = self.run.steps
+        return None if steps is None else steps["time"]
+
+    @cached_property
     def gaps(self) -> list[str]:
         """What the rows lack of the run: its start, its end, rows between."""
         return [*self._ends(), *self._holes()]
@@ -133,3 +139,9 @@ class Fit:
             f"{rows} missing between {self.rows.where(row)} and {self.rows.where(row + 1)}: "
             f"the time goes from {before:.6g} to {after:.6g}, in steps of {self.spacing:.6g}"
         )
+
+
+def time_step(run: Run) -> float | None:
+    """Give the time step of a stepped run; None for an exact one."""
+    method = run.scenario.to_dict().get("method", {})
+    return float(method["dt"]) if method.get("kind") == "stepped" else None

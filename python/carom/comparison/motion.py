@@ -86,10 +86,10 @@ def acceleration_of(fit: Fit) -> Vector:
 
 def settled(fit: Fit, event: Event) -> float:
     """Give the time from which a ball moves on after an event: its own, or the end of the step it waits for."""
-    if fit.run.steps is None:
+    times = fit.step_times
+    if times is None:
         return event.time
-    times = fit.run.steps["time"]
-    return float(times[min(np.searchsorted(times, event.time), len(times) - 1)])
+    return float(times[min(int(np.searchsorted(times, event.time)), len(times) - 1)])
 
 
 def just_before(fit: Fit, event: Event, ball: int) -> Vector:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from carom.columns import ColumnTable, column_of
 from carom.comparison.assignment import ColumnNames, assign
 from carom.comparison.diagnosis import diagnose
-from carom.comparison.fit import CLOCK, Fit
+from carom.comparison.fit import CLOCK, Fit, time_step
 from carom.comparison.rows import Rows, read_rows
 from carom.comparison.scheme import READINGS, own_reading, try_readings
 from carom.comparison.source import listed, open_source
@@ -258,7 +258,7 @@ def compare_trajectory(
     _check_end(run, rows, partial=partial)
     fit = Fit(run, rows, _limit(run, rows, duration), tolerance, partial)
     readings = None
-    if run.steps is not None:
+    if time_step(run) is not None:
         readings = try_readings(run.scenario, rows, tolerance, duration=duration, partial=partial)
     told = readings is not None and not fit.agrees
     reasons = [*fit.gaps, *(_agreeing_readings(run, readings) if told else []), *diagnose(fit)]
@@ -287,8 +287,7 @@ def _check_end(run: Run, rows: Rows, *, partial: bool) -> None:
     """Refuse times after the end of the run, but for one step of a stepped run and a part that was asked for."""
     if partial or run.status == "at_rest":
         return
-    step = 0.0 if run.steps is None else float(run.scenario.value("method.dt"))
-    end = (run.end_time + step) * (1.0 + CLOCK)
+    end = (run.end_time + (time_step(run) or 0.0)) * (1.0 + CLOCK)
     late = np.flatnonzero(rows.times > end)
 
     def describe(row: int) -> tuple[str, str]:
@@ -327,7 +326,7 @@ def _notes(fit: Fit, source: Source, assignment: Assignment) -> list[str]:
         notes.append(f"balls not compared: {', '.join(absent)}")
     if fit.partial:
         notes.append(f"compared up to t = {fit.limit:.10g}: {fit.count} of {len(rows)} rows")
-    if not fit.agrees and run.steps is None and fit.spacing is not None and _may_step(run):
+    if not fit.agrees and time_step(run) is None and fit.spacing is not None and _may_step(run):
         notes.append(
             f"its times go in steps of {fit.spacing:.6g}; if it was computed with that time step, "
             f"--method stepped --dt {fit.spacing:.6g} compares it with the fixed-step method"
