@@ -430,7 +430,7 @@ def test_any_order_and_names_of_columns_give_the_same(
         ("t,xr,yr,xb,yB", "no column 'yB'; the nearest is 'yb'"),
         ("t,xr,yr,xr,yr", "column 'xr' is to be both red.x and blue.x"),
         ("t,xr,yr,xb,z", "columns: t, xr, yr, xb, yb"),
-        (None, "no column 'time'"),
+        (None, "none of the columns time, red.x, red.y, blue.x, blue.y is in it"),
     ],
 )
 def test_columns_named_wrongly_are_errors(

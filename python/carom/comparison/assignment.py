@@ -64,6 +64,8 @@ def assign(source: Source, columns: ColumnNames | None, ball_ids: Sequence[str])
     wanted = _wanted(source, columns, roles)
     places = {role: _find(source, name) for role, name in wanted.items()}
     problems = [(source.name, place) for place in places.values() if isinstance(place, str)]
+    if problems and source.names is not None and not set(wanted.values()) & set(source.names):
+        problems = [(source.name, f"none of the columns {_shortened(list(wanted.values()))} is in it")]
     if problems:
         raise TrajectoryError(problems + _advice(source))
     found = {role: place for role, place in places.items() if isinstance(place, int)}
