@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 import carom
 from carom import figures
 from carom.colours import PALETTE, ball_colours
-from carom.comparison import compare
 from carom.figures.scene import Scene
 from carom.figures.table import arrow_scale, draw_table, table_contains, table_loops
 
@@ -357,7 +356,7 @@ def test_legends_do_not_cover_the_curves(run: carom.Run, draw: "type[figures.plo
 
 
 def test_errors_are_drawn_on_two_logarithmic_scales(midterm: carom.Scenario) -> None:
-    comparison = compare(midterm, [0.03, 0.01, 0.001])
+    comparison = carom.compare_steps(midterm, [0.03, 0.01, 0.001])
     ax = figures.plot_errors(comparison)
     assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
     marked = [line for line in ax.lines if line.get_marker() == "o"]

@@ -18,7 +18,22 @@ if TYPE_CHECKING:
     from carom.ball import Ball
     from carom.cite import citation
     from carom.columns import ColumnTable
-    from carom.errors import CaromError, MissingExtraError, RunError, ScenarioError, SimulationError
+    from carom.comparison import (
+        RunComparison,
+        StepComparison,
+        TrajectoryComparison,
+        compare,
+        compare_steps,
+        compare_trajectory,
+    )
+    from carom.errors import (
+        CaromError,
+        MissingExtraError,
+        RunError,
+        ScenarioError,
+        SimulationError,
+        TrajectoryError,
+    )
     from carom.events import Event, EventTable
     from carom.library import scenarios
     from carom.method import Exact, Stepped
@@ -33,7 +48,22 @@ _HOMES = {
     "ball": ["Ball"],
     "cite": ["citation"],
     "columns": ["ColumnTable"],
-    "errors": ["CaromError", "MissingExtraError", "RunError", "ScenarioError", "SimulationError"],
+    "comparison": [
+        "RunComparison",
+        "StepComparison",
+        "TrajectoryComparison",
+        "compare",
+        "compare_steps",
+        "compare_trajectory",
+    ],
+    "errors": [
+        "CaromError",
+        "MissingExtraError",
+        "RunError",
+        "ScenarioError",
+        "SimulationError",
+        "TrajectoryError",
+    ],
     "events": ["Event", "EventTable"],
     "library": ["scenarios"],
     "method": ["Exact", "Stepped"],
@@ -66,17 +96,24 @@ __all__ = [
     "Physics",
     "Restitution",
     "Run",
+    "RunComparison",
     "RunError",
     "Scenario",
     "ScenarioError",
     "Simulation",
     "SimulationError",
+    "StepComparison",
     "Stepped",
     "Table",
+    "TrajectoryComparison",
+    "TrajectoryError",
     "Verification",
     "Wall",
     "__version__",
     "citation",
+    "compare",
+    "compare_steps",
+    "compare_trajectory",
     "load",
     "load_run",
     "scenarios",

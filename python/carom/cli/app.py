@@ -61,6 +61,9 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
     compare: [
         "carom compare midterm",
         "carom compare midterm --dt 0.03,0.01,0.003 --duration 1 --out out/compare",
+        "carom compare midterm midterm_stepped --out out/both",
+        "carom compare midterm --set-b balls.red.velocity[0]=3.1",
+        "carom compare midterm_stepped --with mine.csv --columns t,xr,yr,xb,yb",
     ],
     check: ["carom check my.toml"],
     verify: ["carom verify out/mine/run.json"],

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from carom.scenario import Scenario
 
 SCENARIO = "A ready-made scenario's name (see: carom scenarios), or a .toml or .json file."
+SCENARIO_OR_RUN = "A ready-made scenario's name (see: carom scenarios), a .toml or .json file, or a saved run.json."
 
 ScenarioName = Annotated[str, typer.Argument(metavar="SCENARIO", help=SCENARIO, show_default=False)]
 Duration = Annotated[float | None, typer.Option(metavar="T", min=0.0, help="End at this time.")]
@@ -47,6 +48,18 @@ def load_with(source: str, settings: list[str] | None) -> Scenario:
 
     scenario = carom.load(source)
     return scenario.with_values(dict(map(read_setting, settings))) if settings else scenario
+
+
+def is_saved_run(source: str) -> bool:
+    """Tell a saved run from a scenario, by the content of its file."""
+    path = Path(source)
+    if path.suffix.lower() != ".json" or not path.is_file():
+        return False
+    try:
+        values = json.loads(path.read_text(encoding="utf-8-sig"))
+    except ValueError:
+        return False
+    return isinstance(values, dict) and {"physics_version", "digest"} <= set(values)
 
 
 def read_setting(setting: str) -> tuple[str, Any]:

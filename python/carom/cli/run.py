@@ -81,7 +81,7 @@ def run(
             needed("imageio_ffmpeg", "movie")
     chosen = options.load_with(scenario, settings)
     result = chosen.run(
-        method=_method(chosen, method, dt), duration=duration, collisions=collisions, max_events=max_events
+        method=choose_method(chosen, method, dt), duration=duration, collisions=collisions, max_events=max_events
     )
     asked = {"--set": settings, "--method": method, "--dt": dt, "--duration": duration}
     command = options.command_line("run", scenario, {**asked, "--collisions": collisions, "--max-events": max_events})
@@ -101,7 +101,7 @@ def run(
         raise typer.Exit(PROBLEM)
 
 
-def _method(scenario: Scenario, name: MethodName | None, dt: float | None) -> dict[str, Any] | None:
+def choose_method(scenario: Scenario, name: MethodName | None, dt: float | None) -> dict[str, Any] | None:
     """Choose the method: None leaves the scenario's own; a stepped one keeps the readings it has there."""
     if name is MethodName.exact:
         if dt is not None:

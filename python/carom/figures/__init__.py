@@ -4,8 +4,10 @@ Every figure takes `ax` (the filmstrip `axes`), draws there or on a new figure o
 returns where it drew. `save_figure` writes PNG, PDF or SVG.
 """
 
-from carom.figures.compare import plot_errors
+from carom.figures.distance import plot_distance
+from carom.figures.errors import plot_errors
 from carom.figures.filmstrip import filmstrip
+from carom.figures.overlay import plot_overlay
 from carom.figures.paths import plot_paths
 from carom.figures.scenario import plot_scenario
 from carom.figures.series import plot_energy, plot_momentum, plot_speed
@@ -15,9 +17,11 @@ __all__ = [
     "FORMATS",
     "figure_of",
     "filmstrip",
+    "plot_distance",
     "plot_energy",
     "plot_errors",
     "plot_momentum",
+    "plot_overlay",
     "plot_paths",
     "plot_scenario",
     "plot_speed",
