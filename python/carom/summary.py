@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from textwrap import fill
 from typing import Any
 
 from carom.units import unit_of
@@ -61,10 +62,21 @@ def block(head: str, lines: Iterable[Fact]) -> str:
     return "\n".join(_cut(line) for line in [head, *(f"  {name}: {text}" for name, text in lines)])
 
 
+def paragraphs(head: str, lines: Iterable[Fact]) -> str:
+    """Give a heading and named sentences below it, each in full and wrapped where the screen ends."""
+    texts = [_one_line(f"  {name}: {text}") for name, text in lines]
+    wrapped = [fill(text, WIDTH, subsequent_indent=" " * 4, break_on_hyphens=False) for text in texts]
+    return "\n".join([_cut(head), *wrapped])
+
+
 def _cut(text: str) -> str:
-    """Give a text as one line of the screen."""
-    line = "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in text)
+    """Give a text as one line of the screen, cut where the screen ends."""
+    line = _one_line(text)
     return line if len(line) <= WIDTH else line[: WIDTH - len(MORE)] + MORE
+
+
+def _one_line(text: str) -> str:
+    return "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in text)
 
 
 def _table(table: Mapping[str, Any]) -> str:

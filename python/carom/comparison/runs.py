@@ -14,13 +14,14 @@ from carom.columns import ColumnTable, column_of
 from carom.comparison.parting import Parting, find_parting
 from carom.errors import RunError
 from carom.run import Run
-from carom.summary import MOST_NAMED, block
+from carom.summary import paragraphs
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from carom.scenario import Scenario
 
+MOST_NAMED = 8
 SAMPLES = 1000
 THRESHOLDS = (1e-12, 1e-9, 1e-6, 1e-3)
 """Distances for which is said when they are first exceeded."""
@@ -186,7 +187,9 @@ class RunComparison:
             lines.append((self.balls[ball], f"largest distance {far[ball]:.3g} at t = {at:.6g}"))
         if len(self.balls) > MOST_NAMED:
             lines.append(("...", f"and {len(self.balls) - MOST_NAMED} balls with smaller ones"))
-        return block(f"RunComparison of {' and '.join(self.names)}", [*lines, *(("note", note) for note in self.notes)])
+        return paragraphs(
+            f"RunComparison of {' and '.join(self.names)}", [*lines, *(("note", note) for note in self.notes)]
+        )
 
 
 def compare(

@@ -18,7 +18,7 @@ from carom.comparison.scheme import READINGS, own_reading, try_readings
 from carom.comparison.source import listed, open_source
 from carom.errors import RunError, ScenarioError, TrajectoryError
 from carom.run import Run
-from carom.summary import block
+from carom.summary import paragraphs
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -195,7 +195,7 @@ class TrajectoryComparison:
     def __repr__(self) -> str:
         lines = [("verdict", self.verdict), *(("reason", reason) for reason in self.reasons)]
         lines += [("note", note) for note in self.notes]
-        return block(f"TrajectoryComparison of {self.name}", lines)
+        return paragraphs(f"TrajectoryComparison of {self.name}", lines)
 
 
 def compare_trajectory(
