@@ -11,7 +11,8 @@ SCENARIOS := $(wildcard scenarios/*)
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build run test test-rust test-python lint lint-rust lint-python format docs bench digests wheel wheel-check floors clean
+.PHONY: help build run test test-rust test-python lint lint-rust lint-python format docs licences third-party bench
+.PHONY: digests wheel wheel-check floors clean
 
 help: ## List these commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -34,18 +35,22 @@ test-python: build ## Run the package's tests
 	@$(want_octave)
 	$(BIN)/python -m pytest
 
-lint: lint-rust lint-python ## Check format, lints, types and stubs
+lint: lint-rust lint-python licences ## Check format, lints, types, stubs, project files and licences
 
-lint-rust:
+lint-rust: ## Check the engine's format and lints
 	@$(need_rust)
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
 
-lint-python: build
+lint-python: build ## Check the package's format, lints, types and stubs, and the files about the project
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/python -m mypy.stubtest carom._engine
+	$(BIN)/deptry python
+	$(BIN)/validate-pyproject pyproject.toml
+	$(BIN)/check-jsonschema --builtin-schema vendor.citation-file-format CITATION.cff
+	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
 
 format: $(VENV)/.tools ## Format the code, and mend what the linter can mend
 	@$(need_rust)
@@ -59,6 +64,15 @@ docs: build ## Build the site into site/, warnings as errors, and check its link
 	$(BIN)/python -m sphinx -W --keep-going -n -q -b html docs site
 	$(BIN)/python docs/carom_docs/links.py site
 
+licences: build ## Check the licences of all that is shipped, and THIRD-PARTY.txt
+	@$(need_rust)
+	$(BIN)/python -m doctest tests/packaging/licences.py
+	$(BIN)/python tests/packaging/licences.py
+
+third-party: build ## Write THIRD-PARTY.txt anew, after a change of Cargo.lock
+	@$(need_rust)
+	$(BIN)/python tests/packaging/licences.py --write
+
 bench: build ## Measure the engine, the package, and python-billiards beside it
 	$(CARGO) bench --locked -p carom
 	$(BIN)/python -m pip install --quiet --group bench
@@ -71,10 +85,15 @@ digests: ## Mint the golden digests of the scenarios anew: make digests REASON="
 wheel: $(VENV)/.tools ## Build a wheel and a source archive into dist/
 	@$(need_rust)
 	@# The archive leaves other members of the workspace out, so its Cargo.lock is longer than it need be: not --locked.
+	rm -f dist/carom-*
 	$(BIN)/maturin build --release --sdist --out dist
 
-wheel-check: wheel ## Install the wheel, and one built from the source archive, into fresh environments and try them
-	tests/packaging/check.sh $(BIN)/python dist
+wheel-check: wheel ## Check both, and try them in fresh environments: make wheel-check PYTHONS="python3.10 ..."
+	$(BIN)/python -m pip install --quiet --group dist
+	$(BIN)/twine check --strict dist/carom-*
+	$(BIN)/check-wheel-contents dist
+	$(BIN)/python tests/packaging/contents.py dist
+	PYTHONS="$(PYTHONS)" tests/packaging/check.sh dist
 
 floors: wheel ## Run the package's tests with the oldest supported Python packages (FLOOR_PYTHON=python3.10)
 	tests/packaging/floors.sh $(FLOOR_PYTHON) dist

@@ -92,7 +92,8 @@ def test_an_mp4_is_written(run: carom.Run, tmp_path: Path) -> None:
     path = animate(run, tmp_path / "film.mp4", size=200, fps=20)
     frames, seconds = ffmpeg.count_frames_and_secs(str(path))
     assert frames == 100
-    assert seconds == pytest.approx(5.0, abs=0.06)
+    # Older ffmpegs tell when the last frame was decoded, which is up to three frames before it is shown.
+    assert seconds == pytest.approx(5.0, abs=0.16)
     assert [each.name for each in tmp_path.iterdir()] == ["film.mp4"]
 
 

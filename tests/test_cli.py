@@ -1,5 +1,6 @@
 """The command line: what it prints, writes, refuses, and with which exit code."""
 
+import base64
 import csv
 import errno
 import io
@@ -23,7 +24,7 @@ import pytest
 import carom
 from carom.cli import main
 
-RUN_FILES = {"events.csv", "trajectory.csv", "run.json"}
+RUN_FILES = {"events.csv", "trajectory.csv", "run.json", "report.html"}
 FIGURES = {"filmstrip", "paths", "energy", "speed", "momentum"}
 ESCAPE = "\x1b"
 
@@ -108,6 +109,18 @@ def test_piped_output_has_no_colours(tmp_path: Path) -> None:
     assert ESCAPE not in done.stdout
 
 
+def test_piped_output_is_utf8_whatever_the_system_speaks(tmp_path: Path) -> None:
+    path = tmp_path / "\N{GREEK SMALL LETTER PI}.toml"
+    fine("scenarios", "--copy", "midterm", path)
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace('id = "red"', 'id = "ž"'), encoding="utf-8")
+    done = process("run", path, PYTHONIOENCODING="cp1252")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "\tž\t" in done.stdout
+    done = process("check", path.with_name("no π.toml"), PYTHONIOENCODING="ascii")
+    assert (done.returncode, done.stderr) == (1, f"error: {path.with_name('no π.toml')}: no such file\n")
+
+
 def test_run_writes_tables_figures_and_film(tmp_path: Path, run: carom.Run) -> None:
     out = tmp_path / "deep" / "out"
     fine("run", "midterm", "--out", out)
@@ -116,6 +129,41 @@ def test_run_writes_tables_figures_and_film(tmp_path: Path, run: carom.Run) -> N
     assert names_in(tmp_path / "deep") == {"out"}
     assert carom.load_run(out / "run.json") == run
     assert [float(row["time"]) for row in rows_of(out / "events.csv")] == run.events["time"].tolist()
+
+
+def test_the_report_shows_the_figures_that_were_written(tmp_path: Path) -> None:
+    words = ("run", "midterm", "--dt", "0.03", "--set", "title=A <b>", "--no-animation")
+    fine(*words, "--out", tmp_path / "png")
+    fine(*words, "--out", tmp_path / "svg", "--format", "svg")
+    report = (tmp_path / "png" / "report.html").read_text(encoding="utf-8")
+    for name in FIGURES:
+        assert base64.b64encode((tmp_path / "png" / f"{name}.png").read_bytes()).decode() in report
+    assert "carom run midterm --set &#39;title=A &lt;b&gt;&#39; --dt 0.03" in report
+    assert "Beside this page: run.json, events.csv, trajectory.csv, steps.csv, filmstrip.png" in report
+    in_svg = (tmp_path / "svg" / "report.html").read_text(encoding="utf-8")
+    pictures = [re.findall(r"data:image/png;base64,[\w+/=]+", text) for text in (report, in_svg)]
+    assert pictures[0] == pictures[1]
+    assert len(pictures[0]) == len(FIGURES)
+
+
+def test_a_report_without_figures_says_so(tmp_path: Path) -> None:
+    fine("run", "midterm", "--no-figures", "--no-animation", "--out", tmp_path / "out")
+    report = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "This report was made without figures." in report
+    assert "<img" not in report
+
+
+def test_a_run_without_figures_loads_no_matplotlib(tmp_path: Path) -> None:
+    words = ["carom", "run", "midterm", "--no-figures", "--no-animation", "--out", str(tmp_path / "out")]
+    code = (
+        f"import sys, runpy; sys.argv = {words!r}\n"
+        "try: runpy.run_module('carom', run_name='__main__')\n"
+        "except SystemExit: pass\n"
+        "print('matplotlib' in sys.modules, file=sys.stderr)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stderr.strip() == "False"
+    assert names_in(tmp_path / "out") == RUN_FILES
 
 
 def test_files_keep_every_bit(tmp_path: Path, run: carom.Run) -> None:
@@ -144,6 +192,14 @@ def test_figures_come_in_the_formats_asked_for(tmp_path: Path) -> None:
     fine("run", "midterm", "--out", tmp_path / "out", "--format", "svg,pdf", "--no-animation")
     expected = {f"{name}.{kind}" for name in FIGURES for kind in ("svg", "pdf")}
     assert names_in(tmp_path / "out") == RUN_FILES | expected
+
+
+def test_a_film_comes_in_the_kind_asked_for(tmp_path: Path) -> None:
+    pytest.importorskip("imageio_ffmpeg", reason="carom[movie] is not installed")
+    out = tmp_path / "out"
+    fine("run", "midterm", "--duration", "1", "--no-figures", "--out", out)
+    fine("run", "midterm", "--duration", "1", "--no-figures", "--animation", "mp4", "--out", out, "--overwrite")
+    assert names_in(out) == RUN_FILES | {"animation.mp4"}
 
 
 def test_a_folder_that_holds_a_run_is_refused(tmp_path: Path) -> None:
@@ -231,9 +287,9 @@ def test_no_folder_is_no_place_for_results(tmp_path: Path, monkeypatch: pytest.M
 
 def test_errors_speak_of_the_file_asked_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    assert shell("scenarios", "--copy", "midterm", "nodir/x.toml").stderr == (
-        "error: nodir/x.toml: the folder nodir does not exist\n"
-    )
+    path = Path("nodir") / "x.toml"
+    done = shell("scenarios", "--copy", "midterm", path)
+    assert done.stderr == f"error: {path}: the folder nodir does not exist\n"
 
 
 def test_set_changes_values() -> None:
@@ -265,7 +321,7 @@ def test_an_event_budget_that_was_not_asked_for_is_no_success() -> None:
 
 def test_runs_that_kept_little_write_little(tmp_path: Path) -> None:
     fine("run", "midterm", "--set", "record=events", "--out", tmp_path / "out")
-    assert names_in(tmp_path / "out") == {"events.csv", "run.json"}
+    assert names_in(tmp_path / "out") == {"events.csv", "run.json", "report.html"}
 
 
 def test_a_run_that_kept_nothing_says_so(tmp_path: Path, run: carom.Run) -> None:
@@ -276,7 +332,7 @@ def test_a_run_that_kept_nothing_says_so(tmp_path: Path, run: carom.Run) -> None
     assert (facts["status"], facts["digest"]) == ("time_limit", run.digest)
     assert facts["record"] == "none"
     assert facts["events.ball_cushion"] == "11"
-    assert names_in(tmp_path / "out") == {"run.json"}
+    assert names_in(tmp_path / "out") == {"run.json", "report.html"}
     found = json.loads(fine(*words, "--json"))
     assert (found["record"], found["events"], found["digest"]) == ("none", None, run.digest)
     assert json.loads(fine("run", "midterm", "--json"))["record"] == "all"
@@ -503,6 +559,7 @@ def test_bench_gives_a_median(tmp_path: Path) -> None:
 
 def test_version_and_help() -> None:
     assert fine("--version").strip() == f"carom {carom.__version__}"
+    assert fine("--cite") == carom.citation() + "\n"
     for command in ("run", "compare", "check", "verify", "scenarios", "schema", "bench"):
         printed = fine(command, "--help")
         assert f"carom {command}" in printed.split("For example:")[1]

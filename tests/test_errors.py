@@ -11,6 +11,7 @@ ERRORS = [
     carom.ScenarioError([("balls[1].radius", "must be finite"), ("", "and more")]),
     carom.ScenarioError("one line"),
     carom.SimulationError("overlap at time 1", "{}"),
+    carom.TrajectoryError([("mine.csv, line 3, xr", "is empty")]),
     carom.RunError("time 9 is outside the run"),
     carom.MissingExtraError("pandas is not installed: needs carom[data]"),
 ]

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import EllipseCollection
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, FancyArrowPatch, PathPatch
@@ -18,9 +19,8 @@ from numpy.typing import NDArray
 
 import carom
 from carom import figures
-from carom.comparison import compare
+from carom.colours import PALETTE, ball_colours
 from carom.figures.scene import Scene
-from carom.figures.style import PALETTE, ball_colours
 from carom.figures.table import arrow_scale, draw_table, table_contains, table_loops
 
 DRAWINGS = [figures.plot_paths, figures.plot_energy, figures.plot_speed, figures.plot_momentum]
@@ -58,6 +58,41 @@ def stadium() -> carom.Run:
     point = carom.Ball("p", radius=0.0, position=(0.3, 0.2), velocity=(0.8, 0.6))
     table = {"shape": "path", "pieces": pieces, "obstacles": [obstacle]}
     return carom.Scenario(table, [point], duration=6).run()
+
+
+# Scenarios
+
+
+def test_a_scenario_is_drawn_as_it_starts(midterm: carom.Scenario) -> None:
+    ax = midterm.plot()
+    (discs,) = [each for each in ax.collections if isinstance(each, EllipseCollection)]
+    np.testing.assert_array_equal(np.asarray(discs.get_offsets()), [[0.1, 0.1], [0.5, 1.0]])
+    assert [text.get_text() for text in ax.texts] == ["red", "blue"]
+    (arrow,) = arrows_of(ax)
+    tail, tip = (np.array(place) for place in arrow._posA_posB)  # type: ignore[attr-defined]
+    assert np.linalg.norm(tail - [0.1, 0.1]) == pytest.approx(0.075)
+    np.testing.assert_allclose((tip - tail) / np.linalg.norm(tip - tail), [0.6, 0.8])
+
+
+def test_ids_stand_only_in_discs_with_room_and_as_they_are(midterm: carom.Scenario) -> None:
+    for name, shown in (("$x$", ["$x$", "blue"]), ("$\\frac$", ["$\\frac$", "blue"]), (50 * "r", ["blue"])):
+        ax = midterm.with_values({"balls.red.id": name}).plot()
+        drawn(ax)
+        assert [text.get_text() for text in ax.texts] == shown
+    small = midterm.with_values({"ball_defaults.radius": 0.01}).plot()
+    assert not small.texts
+
+
+def test_a_crowd_is_drawn_without_arrows() -> None:
+    balls = [carom.Ball(f"b{k}", radius=0, position=(1 + k % 20, 1 + k // 20), velocity=(1, 0)) for k in range(101)]
+    table = carom.Table.rectangle(width=21, length=21)
+    assert len(arrows_of(carom.Scenario(table, balls[:100], duration=1).plot())) == 100
+    assert not arrows_of(carom.Scenario(table, balls, duration=1).plot())
+
+
+@pytest.mark.parametrize("name", carom.scenarios())
+def test_every_ready_made_scenario_can_be_drawn(name: str) -> None:
+    drawn(carom.load(name).plot())
 
 
 # Filmstrips
@@ -321,7 +356,7 @@ def test_legends_do_not_cover_the_curves(run: carom.Run, draw: "type[figures.plo
 
 
 def test_errors_are_drawn_on_two_logarithmic_scales(midterm: carom.Scenario) -> None:
-    comparison = compare(midterm, [0.03, 0.01, 0.001])
+    comparison = carom.compare_steps(midterm, [0.03, 0.01, 0.001])
     ax = figures.plot_errors(comparison)
     assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
     marked = [line for line in ax.lines if line.get_marker() == "o"]
@@ -367,9 +402,9 @@ def test_a_point_is_drawn_large_enough_to_be_seen(stadium: carom.Run) -> None:
 
 
 def test_colours_come_from_the_scenario_then_the_name_then_the_palette() -> None:
-    chosen = ball_colours(["red", "8", "9", "x"], [None, "gold", (1.0, 0.0, 0.5), None])
+    chosen = ball_colours(["red", "8", "9", "x"], [None, "Gold", (1.0, 0.0, 0.5), None])
     assert chosen[0] == PALETTE[0]
-    assert chosen[1] == "#ffd700"
+    assert chosen[1] == "gold"
     np.testing.assert_allclose(to_rgb(chosen[2]), (1.0, 0.0, 0.5), atol=1 / 255)
     assert chosen[3] == PALETTE[1]
 
@@ -386,6 +421,12 @@ def test_figures_draw_on_the_given_axes_and_return_them(run: carom.Run, draw: "t
     ax = Figure().add_subplot()
     assert draw(run, ax=ax) is ax
     assert ax.lines
+
+
+def test_a_scenario_is_drawn_on_the_given_axes(midterm: carom.Scenario) -> None:
+    ax = Figure().add_subplot()
+    assert midterm.plot(ax=ax) is ax
+    assert ax.patches
 
 
 def test_filmstrip_draws_on_the_given_axes(run: carom.Run) -> None:

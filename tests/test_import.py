@@ -11,7 +11,7 @@ import pytest
 
 import carom
 
-HEAVY = ["matplotlib", "pandas", "pyarrow", "numpy", "typer", "rich", "carom._engine"]
+HEAVY = ["matplotlib", "pandas", "pyarrow", "numpy", "typer", "rich", "jinja2", "carom._engine"]
 
 
 def _in_a_fresh_python(code: str) -> str:
@@ -28,7 +28,7 @@ def test_computing_and_saving_a_run_draws_nothing(tmp_path: Path) -> None:
     code = (
         "import sys, carom; run = carom.load('midterm').run(); run.events; run.positions([1.0]);"
         f"run.save({str(tmp_path / 'run.json')!r}); run.trajectory([0, 1]).to_csv({str(tmp_path / 't.csv')!r});"
-        "print([m for m in ('matplotlib', 'pandas', 'pyarrow') if m in sys.modules])"
+        "print([m for m in ('matplotlib', 'jinja2', 'pandas', 'pyarrow') if m in sys.modules])"
     )
     assert _in_a_fresh_python(code).strip() == "[]"
 

@@ -248,6 +248,35 @@ def test_a_byte_order_mark_is_no_part_of_a_run(run: carom.Run, tmp_path: Path) -
     assert carom.load_run(tmp_path / "run.json") == run
 
 
-def test_repr_fits_one_screen(run: carom.Run) -> None:
-    assert repr(run).splitlines()[:3] == ["Run", "  status: time_limit", "  end time: 5"]
-    assert len(repr(run).splitlines()) < 12
+def test_repr_says_how_it_ended_and_how_right_it_is(run: carom.Run, stepped: carom.Run) -> None:
+    assert repr(run).splitlines() == [
+        "Run of 'Two balls on an L x 2L table'",
+        "  status: time_limit",
+        "  end time: 5",
+        "  balls: 2",
+        "  events: 12 (1 ball_ball, 11 ball_cushion)",
+        "  energy: 12.5 to 0.26986",
+        f"  energy error: {run.diagnostics['energy_error']:.2g}",
+        "  method: exact",
+        f"  digest: {str(run.digest)[:23]}...",
+    ]
+    assert "  lost time: 0.148743" in repr(stepped).splitlines()
+    assert "  record: none" in repr(run.scenario.run(record="none")).splitlines()
+
+
+@pytest.mark.parametrize("name", carom.scenarios())
+def test_repr_fits_one_screen(name: str) -> None:
+    lines = repr(carom.load(name).run(collisions=40, max_events=80)).splitlines()
+    assert len(lines) <= 24
+    assert max(map(len, lines)) <= 80
+
+
+def test_repr_has_units() -> None:
+    lines = repr(carom.load("pinball").with_values({"units.mass": "kg"}).run(collisions=1)).splitlines()
+    assert "  end time: 0.826928 s" in lines
+    assert any(line.startswith("  energy: ") and line.endswith(" J") for line in lines)
+
+
+def test_run_says_what_it_kept(midterm: carom.Scenario, run: carom.Run) -> None:
+    assert run.record == "all"
+    assert midterm.run(record="events").record == "events"

@@ -117,14 +117,44 @@ def test_path_of_lines_and_arcs_makes_a_stadium() -> None:
     assert set(scenario.run().events["cushion"]) == {"front", "1", "2", "3"}
 
 
-def test_repr_fits_one_screen() -> None:
-    grid = [carom.Ball(f"ball {k}", radius=0.01, position=(0.1 + k % 20, 0.1 + k // 20)) for k in range(400)]
-    for name in carom.scenarios():
-        lines = repr(carom.load(name)).splitlines()
-        assert len(lines) < 24
-    lines = repr(carom.Scenario(carom.Table.rectangle(width=20, length=20.5), grid, duration=1)).splitlines()
-    assert max(map(len, lines)) < 100
-    assert lines[2] == "  balls: 400 (ball 0, ball 1, ball 2, ball 3, ball 4, ball 5, ball 6, ball 7, ...)"
+def _is_one_screen(text: str) -> bool:
+    lines = text.splitlines()
+    return len(lines) <= 24 and max(map(len, lines)) <= 80
+
+
+@pytest.mark.parametrize("name", carom.scenarios())
+def test_repr_fits_one_screen(name: str) -> None:
+    assert _is_one_screen(repr(carom.load(name)))
+
+
+def test_repr_of_the_largest_and_oddest_fits_one_screen() -> None:
+    corners = [(0, 0), (10, 0), (20, 0), (20, 20.5), (10, 20.5), (0, 20.5)]
+    pieces = [
+        carom.Line(start, end, id=f"a cushion with quite a long name, number {place}")
+        for place, (start, end) in enumerate(zip(corners, [*corners[1:], corners[0]], strict=True))
+    ]
+    obstacles = [carom.Circle((0.5 + k, 0.5), 0.2, id=f"pillar {k}") for k in range(19)]
+    grid = [carom.Ball(f"ball {k}", radius=0.01, position=(0.1 + k % 20, 1.1 + k // 20)) for k in range(380)]
+    scenario = carom.Scenario(
+        carom.Table.path(pieces, obstacles=obstacles),
+        grid,
+        title="A title\nin two lines, " + 20 * "longer and longer ",
+        physics=carom.Physics(
+            flight=carom.Field((0, -9.81)),
+            ball_ball=carom.Restitution(normal=0.9),
+            cushions={f"pillar {k}": carom.Damping(0.5) for k in range(19)},
+        ),
+        duration=1,
+        max_events=10,
+        units={"length": "m", "time": "s", "mass": "kg"},
+    )
+    assert _is_one_screen(repr(scenario))
+    assert "  balls: 380 (ball 0, ball 1, ball 2, ball 3, ball 4, ball 5, ball 6, ...)" in repr(scenario).splitlines()
+    assert "  physics.cushions: and 13 more" in repr(scenario).splitlines()
+    assert "  duration: 1 s" in repr(scenario).splitlines()
+    assert _is_one_screen(repr(scenario.run()))
+    one = carom.Ball(200 * "long", radius=0.01, position=(1, 1))
+    assert _is_one_screen(repr(carom.Scenario(carom.Table.rectangle(width=2, length=2), [one], duration=1)))
 
 
 def test_schema_is_json_that_knows_the_tables_of_a_file() -> None:

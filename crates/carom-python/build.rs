@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("../../scenarios").canonicalize()?;
+    let folder = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("../../scenarios");
     println!("cargo::rerun-if-changed={}", folder.display());
     let mut code = String::from("pub const SCENARIOS: &[(&str, &str)] = &[\n");
     for path in scenario_files(&folder)? {

@@ -70,7 +70,7 @@ def only_checked(command: str) -> bool:
         targets = re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
         unknown = [word for word in words[1:] if "=" not in word and word not in targets]
     elif {"pip", "install"} <= set(words):
-        extras = re.findall(r"carom\[([\w,]+)\]", command)
+        extras = re.findall(r"\[([a-z,]+)\]", command)
         project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
         named = [extra for group in extras for extra in group.split(",")]
         unknown = [extra for extra in named if not re.search(rf"^{extra} = \[", project, re.MULTILINE)]

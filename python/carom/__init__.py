@@ -16,8 +16,24 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from carom._engine import PHYSICS_VERSION, __version__, schema
     from carom.ball import Ball
+    from carom.cite import citation
     from carom.columns import ColumnTable
-    from carom.errors import CaromError, MissingExtraError, RunError, ScenarioError, SimulationError
+    from carom.comparison import (
+        RunComparison,
+        StepComparison,
+        TrajectoryComparison,
+        compare,
+        compare_steps,
+        compare_trajectory,
+    )
+    from carom.errors import (
+        CaromError,
+        MissingExtraError,
+        RunError,
+        ScenarioError,
+        SimulationError,
+        TrajectoryError,
+    )
     from carom.events import Event, EventTable
     from carom.library import scenarios
     from carom.method import Exact, Stepped
@@ -30,8 +46,24 @@ if TYPE_CHECKING:
 _HOMES = {
     "_engine": ["PHYSICS_VERSION", "__version__", "schema"],
     "ball": ["Ball"],
+    "cite": ["citation"],
     "columns": ["ColumnTable"],
-    "errors": ["CaromError", "MissingExtraError", "RunError", "ScenarioError", "SimulationError"],
+    "comparison": [
+        "RunComparison",
+        "StepComparison",
+        "TrajectoryComparison",
+        "compare",
+        "compare_steps",
+        "compare_trajectory",
+    ],
+    "errors": [
+        "CaromError",
+        "MissingExtraError",
+        "RunError",
+        "ScenarioError",
+        "SimulationError",
+        "TrajectoryError",
+    ],
     "events": ["Event", "EventTable"],
     "library": ["scenarios"],
     "method": ["Exact", "Stepped"],
@@ -64,16 +96,24 @@ __all__ = [
     "Physics",
     "Restitution",
     "Run",
+    "RunComparison",
     "RunError",
     "Scenario",
     "ScenarioError",
     "Simulation",
     "SimulationError",
+    "StepComparison",
     "Stepped",
     "Table",
+    "TrajectoryComparison",
+    "TrajectoryError",
     "Verification",
     "Wall",
     "__version__",
+    "citation",
+    "compare",
+    "compare_steps",
+    "compare_trajectory",
     "load",
     "load_run",
     "scenarios",

@@ -267,8 +267,10 @@ class _Palette:
         kept = packed[np.argsort(counts)[::-1][:EXACT_COLOURS]]
         rest = packed[np.isin(packed, kept, invert=True)]
         spread = Image.fromarray(_unpacked(rest if len(rest) else kept)[None])
-        mixed = spread.quantize(cls.unknown - EXACT_COLOURS, method=Image.Quantize.MEDIANCUT).getpalette()
-        return cls(np.concatenate([_unpacked(kept), np.array(mixed, dtype=np.uint8).reshape(-1, 3)]))
+        count = cls.unknown - EXACT_COLOURS
+        mixed = spread.quantize(count, method=Image.Quantize.MEDIANCUT).getpalette()
+        # Older Pillows fill the palette up to 256 colours.
+        return cls(np.concatenate([_unpacked(kept), np.array(mixed, dtype=np.uint8).reshape(-1, 3)[:count]]))
 
     def apply(self, picture: Image) -> Image:
         """Give a picture in these colours."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -65,6 +65,11 @@ class ColumnTable:
     def __repr__(self) -> str:
         return f"{type(self).__name__}: {len(self)} rows of {', '.join(self.names)}"
 
+    def _repr_html_(self) -> str:
+        from carom.report import table_card
+
+        return table_card(self, f"{type(self).__name__}, {len(self)} rows")
+
     def to_dict(self) -> dict[str, NDArray[Any]]:
         """Give the columns as a new dict; the arrays are shared, not copied."""
         return dict(self._columns)
@@ -88,6 +93,19 @@ class ColumnTable:
     def to_arrow(self) -> pyarrow.Table:
         """Give the table as a pyarrow Table; needs carom[data]."""
         return needed("pyarrow", "data").table(self._columns)
+
+
+def column_of(values: Sequence[Any], *, words: bool = False) -> NDArray[Any]:
+    """Give a column of values: numbers as numbers; `words`, and what may be absent, as objects.
+
+    >>> column_of(["red", None]).dtype, column_of([1.5, 2.0]).dtype
+    (dtype('O'), dtype('float64'))
+    """
+    if not words and all(isinstance(value, (bool, int, float, np.generic)) for value in values):
+        return np.array(values)
+    column = np.empty(len(values), dtype=object)
+    column[:] = values
+    return column
 
 
 def _read_only(column: Any) -> NDArray[Any]:

@@ -9,14 +9,14 @@ class CaromError(Exception):
     """Any error that Carom raises on its own account."""
 
 
-class ScenarioError(CaromError, ValueError):
-    """A scenario, or what was asked of it, does not hold together.
+class ListedError(CaromError, ValueError):
+    """An error that lists every problem found, each with its place.
 
     Parameters
     ----------
     problems : str or sequence of (str, str)
-        Every problem found, each with its place in the path grammar (``balls[1].radius``; empty where the
-        problem has no single place). A plain string is one problem without a place.
+        The problems as (place, message); the place is empty where a problem has no single one. A plain string is
+        one problem without a place.
     """
 
     problems: list[tuple[str, str]]
@@ -28,6 +28,17 @@ class ScenarioError(CaromError, ValueError):
 
     def __str__(self) -> str:
         return "\n".join(f"{place}: {message}" if place else message for place, message in self.problems)
+
+
+class ScenarioError(ListedError):
+    """A scenario, or what was asked of it, does not hold together.
+
+    The places of its problems are in the path grammar, such as ``balls[1].radius``.
+    """
+
+
+class TrajectoryError(ListedError):
+    """A trajectory to be compared cannot be read, or is none of this run; places are file, line and column."""
 
 
 class SimulationError(CaromError, RuntimeError):

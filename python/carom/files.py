@@ -56,10 +56,10 @@ def speaking_of(temporary: Path, path: str | os.PathLike[str]) -> Iterator[None]
 
 def read_text(path: str | os.PathLike[str], problem: type[CaromError], wanted: str) -> str:
     """Read a text in UTF-8, leaving out a byte order mark; what is none is a `problem` that names the file."""
+    if Path(path).is_dir():  # asked beforehand: Windows has no error of its own for it
+        raise problem(f"{path}: a folder, not {wanted}")
     try:
         return Path(path).read_text(encoding="utf-8-sig")
-    except IsADirectoryError:
-        raise problem(f"{path}: a folder, not {wanted}") from None
     except FileNotFoundError:
         raise problem(f"{path}: no such file") from None
     except UnicodeDecodeError as error:

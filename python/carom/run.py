@@ -20,7 +20,7 @@ from carom.events import Event, EventTable, decoded
 from carom.files import read_text, write_text
 from carom.options import options_json
 from carom.scenario import Scenario
-from carom.summary import block
+from carom.summary import summary_of_run
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -87,6 +87,11 @@ class Run:
     def scenario(self) -> Scenario:
         """The scenario as it was run, with the options' method, duration and so on in it."""
         return Scenario._of(self._native.scenario())
+
+    @cached_property
+    def record(self) -> str:
+        """What was kept: ``all``, ``events`` or ``none``."""
+        return str(self.scenario.to_dict().get("record", "all"))
 
     @cached_property
     def events(self) -> EventTable:
@@ -285,6 +290,23 @@ class Run:
 
         return animation.animate(self, path, **options)
 
+    def report(self, path: str | os.PathLike[str], *, figures: bool = True) -> None:
+        """Write all there is to know of the run to `path`, as one HTML file that needs nothing else.
+
+        It holds the parameters, the events, the diagnostics, the figures, the digest, the versions, and how to
+        reproduce the run. The same run gives the same bytes.
+
+        Parameters
+        ----------
+        path : path-like
+            Where to.
+        figures : bool
+            Draw the figures of what the run kept.
+        """
+        from carom.report import write_report
+
+        write_report(self, path, pictures=None if figures else {})
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Run):
             return NotImplemented
@@ -299,13 +321,13 @@ class Run:
         return _from_json, (self.to_json(),)
 
     def __repr__(self) -> str:
-        lines = [
-            ("status", self.status),
-            ("end time", f"{self.end_time:.6g}"),
-            ("balls", str(len(self.ball_ids))),
-        ]
-        counts = self.diagnostics["events"].items()
-        return block("Run", [*lines, *((kind, str(count)) for kind, count in counts if count)])
+        values = self.scenario.to_dict()
+        return summary_of_run(values, self.status, self.end_time, self.diagnostics, self.digest)
+
+    def _repr_html_(self) -> str:
+        from carom.report import run_card
+
+        return run_card(self)
 
 
 def load_run(path: str | os.PathLike[str]) -> Run:

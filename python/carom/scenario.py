@@ -17,6 +17,8 @@ from carom.options import Record, check_counts, options_json
 from carom.summary import summary_of_scenario
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from carom.events import Event
     from carom.method import Method
     from carom.physics import Physics
@@ -257,6 +259,12 @@ class Scenario:
 
         return Simulation(self._native.start(options_json(options)))
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the table and the balls as they start; see `carom.figures`."""
+        from carom import figures
+
+        return figures.plot_scenario(self, ax=ax)
+
     def __eq__(self, other: object) -> bool:
         return self.to_json() == other.to_json() if isinstance(other, Scenario) else NotImplemented
 
@@ -268,6 +276,11 @@ class Scenario:
 
     def __repr__(self) -> str:
         return summary_of_scenario(self.to_dict())
+
+    def _repr_html_(self) -> str:
+        from carom.report import scenario_card
+
+        return scenario_card(self)
 
 
 def _in_file(source: str | os.PathLike[str], place: str) -> str:

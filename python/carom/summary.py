@@ -1,25 +1,82 @@
-"""Scenarios and runs in a few lines of text."""
+"""Scenarios and runs in a few lines of text, at most one screen of 80 columns and 24 lines."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from textwrap import fill
 from typing import Any
 
-MOST_NAMED = 8
+from carom.units import unit_of
+
+WIDTH = 80
+NAMES_WIDTH = 60
+MOST_CUSHIONS = 6
+DIGEST_SHOWN = len("sha256:") + 16
+MORE = "..."
+
+Fact = tuple[str, str]
 
 
 def summary_of_scenario(values: Mapping[str, Any]) -> str:
     """Give a scenario, as a dict, in a few lines."""
-    lines = [("table", _table(values["table"])), ("balls", _named([ball["id"] for ball in values["balls"]]))]
-    lines += [(f"physics.{name}", _setting(law)) for name, law in values.get("physics", {}).items()]
-    lines += [("method", _setting(values.get("method", {"kind": "exact"})))]
-    lines += [(name, str(values[name])) for name in ("duration", "collisions", "record") if name in values]
-    return block(f"Scenario {values['title']!r}" if "title" in values else "Scenario", lines)
+    return block(f"Scenario {values['title']!r}" if "title" in values else "Scenario", facts_of_scenario(values))
 
 
-def block(head: str, lines: Iterable[tuple[str, str]]) -> str:
-    """Give a heading and named lines below it."""
-    return "\n".join([head, *(f"  {name}: {text}" for name, text in lines)])
+def summary_of_run(
+    values: Mapping[str, Any], status: str, end_time: float, diagnostics: Mapping[str, Any], digest: str | None
+) -> str:
+    """Give a run, with its scenario as a dict, in a few lines."""
+    units = values.get("units", {})
+    counts = [f"{count} {kind}" for kind, count in diagnostics["events"].items() if count]
+    total = sum(diagnostics["events"].values())
+    energies = [f"{diagnostics[name]:.6g}" for name in ("initial_energy", "final_energy")]
+    facts = [
+        ("status", status),
+        ("end time", _with_unit(end_time, units, "time")),
+        ("balls", str(len(values["balls"]))),
+        ("events", f"{total} ({', '.join(counts)})" if counts else "0"),
+        ("energy", f"{energies[0]} to {_with_unit(float(energies[1]), units, 'energy')}"),
+        ("energy error", _with_unit(float(f"{diagnostics['energy_error']:.2g}"), units, "energy")),
+        ("method", _setting(values.get("method", {"kind": "exact"}))),
+    ]
+    facts += [("lost time", _with_unit(diagnostics["lost_time"], units, "time"))] if diagnostics["lost_time"] else []
+    facts += [("record", values["record"])] if "record" in values else []
+    facts += [("digest", digest[:DIGEST_SHOWN] + MORE)] if digest else []
+    return block(f"Run of {values['title']!r}" if "title" in values else "Run", facts)
+
+
+def facts_of_scenario(values: Mapping[str, Any]) -> list[Fact]:
+    """Give what a scenario, as a dict, says, each by its name."""
+    units = values.get("units", {})
+    facts = [("table", _table(values["table"])), ("balls", _named([ball["id"] for ball in values["balls"]]))]
+    for name, law in values.get("physics", {}).items():
+        facts += _cushions(law) if name == "cushions" else [(f"physics.{name}", _setting(law))]
+    facts.append(("method", _setting(values.get("method", {"kind": "exact"}))))
+    facts += [("duration", _with_unit(values["duration"], units, "time"))] if "duration" in values else []
+    facts += [(name, str(values[name])) for name in ("collisions", "max_events", "record") if name in values]
+    return facts + ([("units", _setting(units))] if units else [])
+
+
+def block(head: str, lines: Iterable[Fact]) -> str:
+    """Give a heading and named lines below it, each cut where the screen ends."""
+    return "\n".join(_cut(line) for line in [head, *(f"  {name}: {text}" for name, text in lines)])
+
+
+def paragraphs(head: str, lines: Iterable[Fact]) -> str:
+    """Give a heading and named sentences below it, each in full and wrapped where the screen ends."""
+    texts = [_one_line(f"  {name}: {text}") for name, text in lines]
+    wrapped = [fill(text, WIDTH, subsequent_indent=" " * 4, break_on_hyphens=False) for text in texts]
+    return "\n".join([_cut(head), *wrapped])
+
+
+def _cut(text: str) -> str:
+    """Give a text as one line of the screen, cut where the screen ends."""
+    line = _one_line(text)
+    return line if len(line) <= WIDTH else line[: WIDTH - len(MORE)] + MORE
+
+
+def _one_line(text: str) -> str:
+    return "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in text)
 
 
 def _table(table: Mapping[str, Any]) -> str:
@@ -27,8 +84,23 @@ def _table(table: Mapping[str, Any]) -> str:
 
 
 def _named(names: Sequence[str]) -> str:
-    shown = ", ".join(names[:MOST_NAMED]) + (", ..." if len(names) > MOST_NAMED else "")
-    return f"{len(names)} ({shown})"
+    """Give how many there are, and the names of as many as fit in the line, all of them or none cut."""
+    shown = 0
+    while shown < len(names) and len(", ".join(names[: shown + 1])) <= NAMES_WIDTH:
+        shown += 1
+    listed = [*names[: max(shown, 1)], *([MORE] if max(shown, 1) < len(names) else [])]
+    return f"{len(names)} ({', '.join(listed)})"
+
+
+def _cushions(laws: Mapping[str, Any]) -> list[Fact]:
+    """Give the laws of single cushions, at most so many of them."""
+    facts = [(f"physics.cushions.{name}", _setting(law)) for name, law in laws.items()]
+    left = len(facts) - MOST_CUSHIONS
+    return facts if left <= 0 else [*facts[:MOST_CUSHIONS], ("physics.cushions", f"and {left} more")]
+
+
+def _with_unit(number: float, units: Mapping[str, str], quantity: str) -> str:
+    return f"{number:.6g} {unit_of(units, quantity)}".rstrip()
 
 
 def _setting(setting: Any) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import _thread
+import io
 import sys
 import time
 from collections.abc import Iterator
@@ -17,6 +18,7 @@ INTERRUPTED = 130
 
 def main() -> None:
     """Run the command line; ends the process with 0 (fine), 1 (a problem), 2 (usage) or 130 (interrupted)."""
+    _print_utf8()
     try:
         with _none_swallowed():
             from carom.cli.app import app
@@ -28,6 +30,13 @@ def main() -> None:
         if ended.code != INTERRUPTED:
             raise
         _end_interrupted()
+
+
+def _print_utf8() -> None:
+    """Give files and pipes UTF-8 on every system; a name that a code page lacks would end the command."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper) and not stream.isatty():
+            stream.reconfigure(encoding="utf-8")
 
 
 def _end_interrupted() -> None:

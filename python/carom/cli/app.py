@@ -32,10 +32,21 @@ def _print_version(wanted: bool) -> None:
         raise typer.Exit
 
 
+def _print_citation(wanted: bool) -> None:
+    if wanted:
+        import carom
+
+        typer.echo(carom.citation())
+        raise typer.Exit
+
+
 @app.callback()
 def _options(
     version: Annotated[
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version.")
+    ] = False,
+    cite: Annotated[
+        bool, typer.Option("--cite", callback=_print_citation, is_eager=True, help="Print how to cite Carom.")
     ] = False,
 ) -> None:
     pass
@@ -50,6 +61,9 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
     compare: [
         "carom compare midterm",
         "carom compare midterm --dt 0.03,0.01,0.003 --duration 1 --out out/compare",
+        "carom compare midterm midterm_stepped --out out/both",
+        "carom compare midterm --set-b balls.red.velocity[0]=3.1",
+        "carom compare midterm_stepped --with mine.csv --columns t,xr,yr,xb,yb",
     ],
     check: ["carom check my.toml"],
     verify: ["carom verify out/mine/run.json"],

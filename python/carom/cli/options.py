@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import shlex
+from collections.abc import Mapping
+from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -12,6 +15,7 @@ if TYPE_CHECKING:
     from carom.scenario import Scenario
 
 SCENARIO = "A ready-made scenario's name (see: carom scenarios), or a .toml or .json file."
+SCENARIO_OR_RUN = "A ready-made scenario's name (see: carom scenarios), a .toml or .json file, or a saved run.json."
 
 ScenarioName = Annotated[str, typer.Argument(metavar="SCENARIO", help=SCENARIO, show_default=False)]
 Duration = Annotated[float | None, typer.Option(metavar="T", min=0.0, help="End at this time.")]
@@ -46,6 +50,18 @@ def load_with(source: str, settings: list[str] | None) -> Scenario:
     return scenario.with_values(dict(map(read_setting, settings))) if settings else scenario
 
 
+def is_saved_run(source: str) -> bool:
+    """Tell a saved run from a scenario, by the content of its file."""
+    path = Path(source)
+    if path.suffix.lower() != ".json" or not path.is_file():
+        return False
+    try:
+        values = json.loads(path.read_text(encoding="utf-8-sig"))
+    except ValueError:
+        return False
+    return isinstance(values, dict) and {"physics_version", "digest"} <= set(values)
+
+
 def read_setting(setting: str) -> tuple[str, Any]:
     """Read ``PATH=VALUE``; the value is JSON, or else a word.
 
@@ -61,6 +77,27 @@ def read_setting(setting: str) -> tuple[str, Any]:
         return path, json.loads(value)
     except json.JSONDecodeError:
         return path, value
+
+
+def command_line(command: str, source: str, given: Mapping[str, Any]) -> str:
+    """Give the line that asks for this again: a command, a scenario, and the options that are not None.
+
+    Examples
+    --------
+    >>> command_line("run", "midterm", {"--set": ["duration=10", "title=A b"], "--dt": 0.03, "--duration": None})
+    "carom run midterm --set duration=10 --set 'title=A b' --dt 0.03"
+    """
+    words = ["carom", command, source]
+    for name, value in given.items():
+        values = value if isinstance(value, list) else [] if value is None else [value]
+        words += [word for each in values for word in (name, _word(each))]
+    return shlex.join(words)
+
+
+def _word(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value!r}".removesuffix(".0")
+    return str(value.value if isinstance(value, Enum) else value)
 
 
 def read_formats(formats: list[str] | None) -> list[str]:

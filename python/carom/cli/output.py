@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import shutil
 import sys
+import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
@@ -11,7 +13,7 @@ from typing import Any
 import typer
 
 from carom.cli import INTERRUPTED
-from carom.errors import CaromError, ScenarioError
+from carom.errors import CaromError, ListedError
 
 PROBLEM = 1
 
@@ -21,7 +23,7 @@ def reporting() -> Iterator[None]:
     """Turn what can go wrong in a command into lines on stderr and an exit code; also a decorator."""
     try:
         yield
-    except ScenarioError as error:
+    except ListedError as error:
         for place, message in error.problems:
             say_error(place, message)
         raise typer.Exit(PROBLEM) from None
@@ -53,6 +55,15 @@ def _finite(value: Any) -> Any:
     if isinstance(value, (list, tuple)):
         return [_finite(item) for item in value]
     return None if isinstance(value, float) and value - value != 0.0 else value
+
+
+def print_paragraphs(paragraphs: Sequence[tuple[str, str]]) -> None:
+    """Print texts, each after its mark; on a terminal they are wrapped to its width, else a line each."""
+    width = shutil.get_terminal_size().columns if sys.stdout.isatty() else 0
+    for mark, text in paragraphs:
+        lines = textwrap.wrap(text, max(width - len(mark), 40), break_long_words=False) if width else [text]
+        for number, line in enumerate(lines):
+            print((" " * len(mark) if number else mark) + line)
 
 
 def print_table(columns: Mapping[str, Sequence[Any]], *, title: str = "", most: int | None = None) -> None:

@@ -12,20 +12,18 @@ from carom.cli import options
 from carom.cli.folder import check_free, filling
 from carom.cli.output import PROBLEM, print_json, print_table, reporting, say_error
 from carom.errors import ScenarioError
+from carom.extras import needed
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from matplotlib.axes import Axes
-
     from carom.run import Run
     from carom.scenario import Scenario
 
 FIGURES = ("filmstrip", "paths", "energy", "speed", "momentum")
 TABLES = ("events.csv", "trajectory.csv", "steps.csv")
-FILM = "animation.gif"
+FILMS = ("animation.gif", "animation.mp4")
+REPORT = "report.html"
 MARK = "run.json"
-NAMES = (*TABLES, FILM, MARK, *(f"{name}.{kind}" for name in FIGURES for kind in ("png", "svg", "pdf")))
+NAMES = (*TABLES, *FILMS, REPORT, MARK, *(f"{name}.{kind}" for name in FIGURES for kind in ("png", "svg", "pdf")))
 
 SAMPLES = 500
 MOST_SAMPLES = 1e7
@@ -39,6 +37,13 @@ class MethodName(str, Enum):
 
     exact = "exact"
     stepped = "stepped"
+
+
+class FilmFormat(str, Enum):
+    """The words after ``--animation``."""
+
+    gif = "gif"
+    mp4 = "mp4"
 
 
 @reporting()
@@ -57,31 +62,38 @@ def run(
     overwrite: options.Overwrite = False,
     formats: options.Formats = None,
     no_figures: Annotated[bool, typer.Option("--no-figures", help="Write no figures.")] = False,
+    animation: Annotated[FilmFormat, typer.Option(help="Kind of film; mp4 needs carom[movie].")] = FilmFormat.gif,
     no_animation: Annotated[bool, typer.Option("--no-animation", help="Write no animation.")] = False,
     as_json: options.Json = False,
 ) -> None:
     """Compute a run; print its events and its diagnostics.
 
-    With --out also write events.csv, trajectory.csv, steps.csv (stepped), run.json, figures (filmstrip,
-    paths, energy, speed, momentum) and animation.gif. Without it nothing is written. A run longer than 20 is
-    filmed faster than it is; animation_speed says how much.
+    With --out also write report.html (all of it in one page), events.csv, trajectory.csv, steps.csv (stepped),
+    run.json, figures (filmstrip, paths, energy, speed, momentum) and an animation. Without it nothing is
+    written. A run longer than 20 is filmed faster than it is; animation_speed says how much.
     """
     kinds = options.read_formats(formats)
     if sample is not None and not 0.0 < sample < float("inf"):
         raise typer.BadParameter("must be positive and finite", param_hint="--sample")
     if out is not None:
         check_free(out, NAMES, overwrite=overwrite)
+        if animation is FilmFormat.mp4 and not no_animation:
+            needed("imageio_ffmpeg", "movie")
     chosen = options.load_with(scenario, settings)
     result = chosen.run(
-        method=_method(chosen, method, dt), duration=duration, collisions=collisions, max_events=max_events
+        method=choose_method(chosen, method, dt), duration=duration, collisions=collisions, max_events=max_events
     )
+    asked = {"--set": settings, "--method": method, "--dt": dt, "--duration": duration}
+    command = options.command_line("run", scenario, {**asked, "--collisions": collisions, "--max-events": max_events})
     written: list[str] = []
     film_speed = None if out is None or no_animation else _film_speed(result)
     if out is not None:
         with filling(out, NAMES, MARK) as folder:
             written = _write_data(result, folder, sample)
-            written += [] if no_figures else _write_figures(result, folder, kinds)
-            written += [] if film_speed is None else _write_film(result, folder, film_speed)
+            pictures: dict[str, bytes] = {}
+            written += [] if no_figures else _write_figures(result, folder, kinds, pictures)
+            written += [] if film_speed is None else _write_film(result, folder, animation, film_speed)
+            written += _write_report(result, folder, pictures, written, command)
     facts = {"out": None if out is None else str(out), "files": written, "animation_speed": film_speed}
     _print_json(result, facts) if as_json else _print_tables(result, facts)
     if result.status == "collapsed" or (result.status == "event_limit" and max_events is None):
@@ -89,7 +101,7 @@ def run(
         raise typer.Exit(PROBLEM)
 
 
-def _method(scenario: Scenario, name: MethodName | None, dt: float | None) -> dict[str, Any] | None:
+def choose_method(scenario: Scenario, name: MethodName | None, dt: float | None) -> dict[str, Any] | None:
     """Choose the method: None leaves the scenario's own; a stepped one keeps the readings it has there."""
     if name is MethodName.exact:
         if dt is not None:
@@ -106,7 +118,7 @@ def _method(scenario: Scenario, name: MethodName | None, dt: float | None) -> di
 
 def _write_data(run: Run, folder: Path, sample: float | None) -> list[str]:
     """Write what the run kept as tables, and the run itself."""
-    record = _record(run)
+    record = run.record
     run.save(folder / MARK)
     written = [MARK]
     if record != "none":
@@ -124,50 +136,45 @@ def _write_data(run: Run, folder: Path, sample: float | None) -> list[str]:
     return written
 
 
-def _write_figures(run: Run, folder: Path, kinds: list[str]) -> list[str]:
-    """Write the figures that the run has something for."""
-    if _record(run) != "all":
+def _write_figures(run: Run, folder: Path, kinds: list[str], pictures: dict[str, bytes]) -> list[str]:
+    """Write the figures that the run has something for, and put each as PNG among the `pictures`."""
+    if run.record != "all":
         return []
-    from carom import figures
+    from carom.figures import save_figure
+    from carom.report import drawn, figures_of
 
-    drawings: dict[str, Callable[[Run], Axes | Sequence[Axes]]] = {
-        "filmstrip": figures.filmstrip,
-        "paths": figures.plot_paths,
-        "energy": figures.plot_energy,
-        "speed": figures.plot_speed,
-        "momentum": figures.plot_momentum,
-    }
     written = []
-    for name, draw in drawings.items():
-        if name == "filmstrip" and len(run.events) == 0:
-            continue
-        figure = figures.figure_of(draw(run))
+    for name, figure in figures_of(run):
         for kind in kinds:
-            figures.save_figure(figure, folder / f"{name}.{kind}")
+            save_figure(figure, folder / f"{name}.{kind}")
             written.append(f"{name}.{kind}")
+        pictures[name] = (folder / f"{name}.png").read_bytes() if "png" in kinds else drawn(figure)
     return written
 
 
 def _film_speed(run: Run) -> float | None:
     """Choose a film's speed: true, or so fast that it lasts twenty seconds; None where there is nothing to film."""
-    return max(1.0, run.end_time / LONGEST_FILM) if _record(run) == "all" and run.end_time > 0.0 else None
+    return max(1.0, run.end_time / LONGEST_FILM) if run.record == "all" and run.end_time > 0.0 else None
 
 
-def _write_film(run: Run, folder: Path, speed: float) -> list[str]:
+def _write_film(run: Run, folder: Path, kind: FilmFormat, speed: float) -> list[str]:
     from carom.animation import animate
 
-    animate(run, folder / FILM, speed=speed)
-    return [FILM]
+    film = f"animation.{kind.value}"
+    animate(run, folder / film, speed=speed)
+    return [film]
 
 
-def _record(run: Run) -> str:
-    """Give what the run kept: ``all``, ``events`` or ``none``."""
-    return str(run.scenario.to_dict().get("record", "all"))
+def _write_report(run: Run, folder: Path, pictures: dict[str, bytes], files: list[str], command: str) -> list[str]:
+    from carom.report import write_report
+
+    write_report(run, folder / REPORT, pictures=pictures, command=command, files=files)
+    return [REPORT]
 
 
 def _print_json(run: Run, facts: dict[str, Any]) -> None:
     """Print a run and the facts about its files; its events are null where it kept none."""
-    events = None if _record(run) == "none" else run.events.to_dict()
+    events = None if run.record == "none" else run.events.to_dict()
     columns = {name: column.tolist() for name, column in (events or {}).items()}
     rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
     print_json(
@@ -177,7 +184,7 @@ def _print_json(run: Run, facts: dict[str, Any]) -> None:
             "digest": run.digest,
             "physics_version": run.physics_version,
             "diagnostics": run.diagnostics,
-            "record": _record(run),
+            "record": run.record,
             "events": None if events is None else rows,
             **facts,
         }
@@ -186,7 +193,7 @@ def _print_json(run: Run, facts: dict[str, Any]) -> None:
 
 def _print_tables(run: Run, facts: dict[str, Any]) -> None:
     """Print the events and the diagnostics, the facts about the run's files among them."""
-    record = _record(run)
+    record = run.record
     if record == "none":
         print("no events: the run kept none (record = none)")
     else:

@@ -1,12 +1,15 @@
-"""Figures of runs, for papers and slides.
+"""Figures of scenarios and runs, for papers and slides.
 
 Every figure takes `ax` (the filmstrip `axes`), draws there or on a new figure of its own outside pyplot, and
 returns where it drew. `save_figure` writes PNG, PDF or SVG.
 """
 
-from carom.figures.compare import plot_errors
+from carom.figures.distance import plot_distance
+from carom.figures.errors import plot_errors
 from carom.figures.filmstrip import filmstrip
+from carom.figures.overlay import plot_overlay
 from carom.figures.paths import plot_paths
+from carom.figures.scenario import plot_scenario
 from carom.figures.series import plot_energy, plot_momentum, plot_speed
 from carom.figures.style import FORMATS, figure_of, save_figure
 
@@ -14,10 +17,13 @@ __all__ = [
     "FORMATS",
     "figure_of",
     "filmstrip",
+    "plot_distance",
     "plot_energy",
     "plot_errors",
     "plot_momentum",
+    "plot_overlay",
     "plot_paths",
+    "plot_scenario",
     "plot_speed",
     "save_figure",
 ]

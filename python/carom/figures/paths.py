@@ -49,17 +49,19 @@ def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None)
     Axes
     """
     scene = Scene.of(run.scenario)
-    events = [event for event in run.events if np.isfinite(event.x) and np.isfinite(event.y)]
-    numbered = len(events) <= MOST_NUMBERS if numbers is None else numbers
+    count = len(run.events)
+    numbered = count <= MOST_NUMBERS if numbers is None else numbers
+    marked = run.events if numbered or count <= MOST_MARKS else run.events[:0]
+    events = [event for event in marked if np.isfinite(event.x) and np.isfinite(event.y)]
     margin = MARGIN if numbered else MARGIN_WITHOUT_NUMBERS
-    kinds = [kind for kind in style.EVENT_WORDS if len(events) <= MOST_MARKS and _some_of(events, kind)]
+    kinds = [kind for kind in style.EVENT_WORDS if count <= MOST_MARKS and _some_of(events, kind)]
     ax = _new_axes(scene, margin, kinds) if ax is None else ax
     draw_table(ax, scene, margin=margin)
     ax.set_xlabel(scene.label("x", "length"), fontsize=style.LABEL_SIZE, labelpad=1)
     ax.set_ylabel(scene.label("y", "length"), fontsize=style.LABEL_SIZE, labelpad=2)
     times = draw_times(run, SAMPLES)
     places = run.positions(times)[..., :2]
-    _draw_lines(ax, scene, places, len(events))
+    _draw_lines(ax, scene, places, count)
     draw_balls(ax, scene, places[0], filled=False, zorder=2.6)
     draw_balls(ax, scene, places[-1], zorder=3.0)
     for kind in kinds:

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.colors import to_hex
 
-from carom.figures.style import ball_colours
+from carom.colours import ball_colours
+from carom.units import unit_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -58,7 +60,7 @@ class Scene:
         x_min, y_min, x_max, y_max = outline["bounds"]
         return cls(
             ids=ids,
-            colours=tuple(colours),
+            colours=tuple(map(to_hex, colours)),
             radii=np.array([ball.radius or 0.0 for ball in balls], dtype=float),
             masses=np.array([ball.mass or 1.0 for ball in balls], dtype=float),
             bounds=(x_min, y_min, x_max, y_max),
@@ -90,14 +92,4 @@ class Scene:
 
     def unit(self, quantity: str) -> str:
         """Give the unit of a quantity, put together from those of length, time and mass if need be."""
-        if quantity in self.units:
-            return self.units[quantity]
-        length, time, mass = (self.units.get(name, "") for name in ("length", "time", "mass"))
-        if quantity == "speed" and length and time:
-            return f"{length}/{time}"
-        if quantity == "momentum" and length and time and mass:
-            return f"{mass} {length}/{time}"
-        if quantity == "energy" and length and time and mass:
-            joule = (length, time, mass) == ("m", "s", "kg")
-            return "J" if joule else f"{mass} {length}²/{time}²"
-        return ""
+        return unit_of(self.units, quantity)

@@ -119,7 +119,7 @@ def _lowest_potential(scene: Scene) -> float:
 def _draw_balls(ax: Axes, scene: Scene, times: NDArray[np.float64], values: NDArray[np.float64]) -> None:
     """Draw one curve for each ball; in the legend they are named if they are few."""
     many = len(scene.ids) > MOST_NAMED
-    names = ["each ball", *[""] * (len(scene.ids) - 1)] if many else scene.ids
+    names = ["each ball", *[""] * (len(scene.ids) - 1)] if many else list(map(style.legend_name, scene.ids))
     for ball, (name, colour) in enumerate(zip(names, map(style.line_colour, scene.colours), strict=True)):
         ax.plot(times, values[:, ball], color=colour, linewidth=0.9 if many else 1.3, label=name or None, zorder=2)
 

@@ -6,6 +6,7 @@ kept) and never written, and pyplot is not imported, so the figures work without
 
 from __future__ import annotations
 
+import io
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,9 +14,10 @@ from typing import TYPE_CHECKING, Any
 import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.colors import to_hex, to_rgb
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
+from carom.colours import PALETTE as PALETTE
 from carom.files import replacing
 
 if TYPE_CHECKING:
@@ -28,36 +30,6 @@ INK = "#22292f"
 FAINT_INK = "#7a858c"
 GRID = "#e3e7ea"
 BALL_EDGE = "#1d2327"
-
-# Paul Tol's "bright" and Okabe and Ito's sets, ordered so that neighbours differ in hue and in lightness;
-# all can be told apart with the common forms of colour blindness.
-PALETTE = (
-    "#c8402f",
-    "#2b6cb0",
-    "#e3a21a",
-    "#1f9d7c",
-    "#8e5bb5",
-    "#66b7e0",
-    "#8c5a2b",
-    "#d377a8",
-)
-
-# A ball whose id is a colour word is drawn in that colour, in the shade used here.
-COLOUR_WORDS = {
-    "red": PALETTE[0],
-    "blue": PALETTE[1],
-    "yellow": "#edc23b",
-    "green": PALETTE[3],
-    "orange": "#e07f24",
-    "purple": PALETTE[4],
-    "pink": PALETTE[7],
-    "brown": PALETTE[6],
-    "black": "#2b2f33",
-    "white": "#fbfaf4",
-    "grey": "#8b939a",
-    "gray": "#8b939a",
-    "cue": "#fbfaf4",
-}
 
 EVENT_COLOURS = {"ball_ball": "#b3261e", "ball_cushion": "#5b6b78"}
 EVENT_MARKERS = {"ball_ball": "D", "ball_cushion": "o"}
@@ -75,9 +47,18 @@ UNDATED: dict[str, dict[str, Any]] = {"pdf": {"CreationDate": None}, "svg": {"Da
 FORMATS = ("png", "pdf", "svg")
 
 
+class NotebookFigure(Figure):
+    """A figure that a notebook shows as the value of a cell, without pyplot."""
+
+    def _repr_png_(self) -> bytes:
+        file = io.BytesIO()
+        self.savefig(file, format="png", dpi=110)
+        return file.getvalue()
+
+
 def new_figure(width: float, height: float) -> Figure:
     """Make an empty white figure of a size in inches, outside pyplot."""
-    figure = Figure(figsize=(width, height), facecolor="white")
+    figure = NotebookFigure(figsize=(width, height), facecolor="white")
     FigureCanvasAgg(figure)
     return figure
 
@@ -139,35 +120,15 @@ def tidy_axes(ax: Axes) -> None:
     ax.set_axisbelow(True)
 
 
+def legend_name(name: str) -> str:
+    """Give an id as a legend is to show it: not read as mathematics, nor left out for a leading underscore."""
+    shown = name.replace("$", r"\$")
+    return f"\N{ZERO WIDTH SPACE}{shown}" if shown.startswith("_") else shown
+
+
 def line_colour(colour: str) -> tuple[float, float, float]:
     """Give the colour of a ball's lines: its own, darkened where it would not show on white."""
     red, green, blue = to_rgb(colour)
     brightness = 0.299 * red + 0.587 * green + 0.114 * blue
     factor = min(1.0, 0.72 / brightness) if brightness > 0 else 1.0
     return red * factor, green * factor, blue * factor
-
-
-def _colour(given: str | Sequence[float]) -> str | tuple[float, float, float]:
-    if isinstance(given, str):
-        return given
-    red, green, blue = given
-    return red, green, blue
-
-
-def ball_colours(ids: Sequence[str], given: Sequence[str | Sequence[float] | None]) -> list[str]:
-    """Choose a colour for every ball.
-
-    A colour given in the scenario comes first, then the ball's id where it is a colour word, then the palette
-    in order, leaving out the colours already taken while some are left.
-    """
-    fixed = [
-        COLOUR_WORDS.get(name.lower()) if colour is None else to_hex(_colour(colour))
-        for name, colour in zip(ids, given, strict=True)
-    ]
-    free = [colour for colour in PALETTE if colour not in fixed] or list(PALETTE)
-    chosen: list[str] = []
-    used = 0
-    for colour in fixed:
-        chosen.append(colour or free[used % len(free)])
-        used += colour is None
-    return chosen

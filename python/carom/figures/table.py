@@ -113,12 +113,12 @@ def draw_balls(
         The discs, in order of the balls.
     """
     discs = []
-    for place, radius, colour in zip(positions, scene.radii, scene.colours, strict=True):
+    for place, radius, colour in zip(positions, shown_radii(scene), scene.colours, strict=True):
         if not np.all(np.isfinite(place)):
             continue
         disc = Circle(
             (float(place[0]), float(place[1])),
-            float(radius) or 0.009 * scene.size,
+            float(radius),
             facecolor=colour if filled else "none",
             edgecolor=style.BALL_EDGE if filled else style.line_colour(colour),
             linewidth=0.7 if filled else 1.1,
@@ -128,6 +128,11 @@ def draw_balls(
         ax.add_patch(disc)
         discs.append(disc)
     return discs
+
+
+def shown_radii(scene: Scene) -> NDArray[np.float64]:
+    """Give the radii that balls are drawn with, (n_balls,) float64: a point is drawn large enough to be seen."""
+    return np.where(scene.radii > 0.0, scene.radii, 0.009 * scene.size)
 
 
 def draw_arrow(

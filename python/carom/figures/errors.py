@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from carom.comparison import Comparison
+    from carom.comparison import StepComparison
 
 
-def plot_errors(comparison: Comparison, ax: Axes | None = None) -> Axes:
+def plot_errors(comparison: StepComparison, ax: Axes | None = None) -> Axes:
     """Draw, on two logarithmic scales, the error at the end against the time step.
 
     Filled marks are steps whose runs have the events of the exact run, open ones those that miss or add some;
@@ -25,8 +25,8 @@ def plot_errors(comparison: Comparison, ax: Axes | None = None) -> Axes:
 
     Parameters
     ----------
-    comparison : Comparison
-        What `carom.comparison.compare` gave.
+    comparison : StepComparison
+        What `carom.compare_steps` gave.
     ax : Axes, optional
         Where to draw; a new figure is made if not given.
 

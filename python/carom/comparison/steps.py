@@ -11,8 +11,11 @@ import numpy as np
 
 from carom.columns import ColumnTable
 from carom.method import Exact, Stepped
+from carom.summary import block
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from carom.events import Event
     from carom.run import Run
     from carom.scenario import Scenario
@@ -21,8 +24,8 @@ DEFAULT_STEPS = tuple(step * 10.0**power for power in (-1, -2, -3, -4, -5) for s
 """Time steps over four decades."""
 
 
-@dataclass(frozen=True)
-class Comparison:
+@dataclass(frozen=True, repr=False)
+class StepComparison:
     """The stepped method against the exact run of the same scenario.
 
     Attributes
@@ -43,8 +46,22 @@ class Comparison:
     table: ColumnTable
     order: float | None
 
+    def plot_errors(self, ax: Axes | None = None, **options: Any) -> Axes:
+        """Draw the error against the time step; see `carom.figures`."""
+        from carom import figures
 
-def compare(scenario: Scenario, steps: Iterable[float] = DEFAULT_STEPS, **options: Any) -> Comparison:
+        return figures.plot_errors(self, ax=ax, **options)
+
+    def __repr__(self) -> str:
+        steps = self.table["dt"]
+        lines = [("events", str(len(self.exact.events))), ("time steps", f"{len(steps)}")]
+        if len(steps):
+            best = int(np.argmin(steps))
+            lines += [("smallest", f"{steps[best]:.6g}, error {self.table['error'][best]:.3g}")]
+        return block("StepComparison", [*lines, ("order", "none" if self.order is None else f"{self.order:.3g}")])
+
+
+def compare_steps(scenario: Scenario, steps: Iterable[float] = DEFAULT_STEPS, **options: Any) -> StepComparison:
     """Run a scenario exactly and with each of some time steps.
 
     Parameters
@@ -58,20 +75,19 @@ def compare(scenario: Scenario, steps: Iterable[float] = DEFAULT_STEPS, **option
 
     Returns
     -------
-    Comparison
+    StepComparison
 
     Examples
     --------
     >>> import carom
-    >>> from carom.comparison import compare
-    >>> comparison = compare(carom.load("midterm"), [0.03, 0.01])
+    >>> comparison = carom.compare_steps(carom.load("midterm"), [0.03, 0.01])
     >>> comparison.table["missed"].tolist()
     [1, 0]
     """
     exact = scenario.run(method=Exact(), record="all", **options)
     rows = [_row(exact, scenario.run(method=Stepped(dt), record="events", **options), dt) for dt in steps]
     table = ColumnTable({name: [row[name] for row in rows] for name in ROW})
-    return Comparison(exact, table, _order(table))
+    return StepComparison(exact, table, _order(table))
 
 
 ROW = ("dt", "events", "missed", "extra", "time_lost", "overlap", "error")

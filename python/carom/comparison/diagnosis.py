@@ -1,0 +1,176 @@
+"""What is wrong with a trajectory, in sentences, each no stronger than what its rows show."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from carom.comparison.contact import Contact
+from carom.comparison.cushion import explain_cushion
+from carom.comparison.fit import CLOCK
+from carom.comparison.motion import Motion, Track, acceleration_of, precision, said, settled
+from carom.comparison.shift import find_shift
+from carom.comparison.start import explain_start
+
+if TYPE_CHECKING:
+    from carom.comparison.fit import Fit
+    from carom.comparison.motion import Vector
+    from carom.events import Event
+
+
+def diagnose(fit: Fit) -> list[str]:
+    """Say where a trajectory first differs from the run, and what it does there."""
+    first = fit.first
+    if first is None:
+        return []
+    ball = fit.rows.balls[int(np.argmax(fit.distances[first]))]
+    sentences = [_where(fit, first)]
+    if first == 0:
+        start = explain_start(fit)
+        shift = None if start else find_shift(fit)
+        return sentences + start + ([shift] if shift else [])
+    before = f"{fit.rows.where(first - 1)} (t = {fit.rows.times[first - 1]:.6g})"
+    sentences.append(f"up to {before} it agrees to {fit.distances[:first].max():.2g}")
+    shift = find_shift(fit)
+    return sentences + ([shift] if shift else _cause(fit, ball))
+
+
+def _where(fit: Fit, first: int) -> str:
+    found, carom, apart = fit.rows.places[first], fit.expected[first], fit.distances[first]
+    worst = int(np.argmax(apart))
+    names = [fit.run.ball_ids[ball] for ball in fit.rows.balls]
+    others = [name for name, far in zip(names, apart > fit.tolerance, strict=True) if far and name != names[worst]]
+    also = f"; {', '.join(others)} differ{'s' if len(others) == 1 else ''} too" if others else ""
+    return (
+        f"the first row that differs is {fit.rows.where(first)}, t = {fit.rows.times[first]:.6g}: {names[worst]} is at "
+        f"{said(found[worst])}, in Carom's run at {said(carom[worst])}, {apart[worst]:.3g} apart{also}"
+    )
+
+
+def _cause(fit: Fit, ball: int) -> list[str]:
+    """Say what the ball does in the file where it leaves its path in the run."""
+    assert fit.first is not None
+    name, time = fit.run.ball_ids[ball], fit.rows.times[fit.first]
+    event = _last_event(fit, ball)
+    told = [f"before that, Carom's run has no event of {name}"]
+    if event is not None:
+        told = [f"the last event of {name} before it is {speak_of(fit, event)}"]
+        if event.time < time < settled(fit, event):
+            return told
+        if stuck := _standing(fit, event):
+            return told + stuck
+    motion = Track(fit, ball).motion_after(event)
+    if motion is None:
+        return told
+    carom = fit.run.velocities(min(time, fit.run.end_time))[ball, :2]
+    now = motion.velocity if event is None else _carried(fit, event, motion.velocity, time)
+    change = now - carom
+    if np.linalg.norm(change) <= motion.noise + 1e-6 * np.linalg.norm(carom):
+        return told + _beside(fit, ball, carom)
+    if event is not None and _begins_at(fit, ball, event, change):
+        return told + _explain(fit, ball, event, motion)
+    return told + _unforeseen(fit, ball, now, carom, change)
+
+
+def _last_event(fit: Fit, ball: int) -> Event | None:
+    """Give the last event of a ball up to the first row that differs."""
+    assert fit.first is not None
+    time = fit.rows.times[fit.first] + CLOCK * fit.run.end_time
+    events = fit.run.events.by_ball(fit.run.ball_ids[ball]).by_time(0.0, time)
+    return events[len(events) - 1] if len(events) else None
+
+
+def speak_of(fit: Fit, event: Event) -> str:
+    """Name an event, with its time and, in a stepped run, its step."""
+    if event.cushion is not None:
+        what = f"the contact of {event.ball_a} with the {event.cushion} cushion"
+    else:
+        what = f"the collision of {' and '.join(event.balls)}"
+    times = fit.step_times
+    step = "" if times is None else f", in step {max(int(np.searchsorted(times, event.time)) - 1, 0)}"
+    together = "" if event.cluster is None else ", one of several contacts at once"
+    return f"{what} at t = {event.time:.6g}{step}{together}"
+
+
+def _carried(fit: Fit, event: Event, velocity: Vector, time: float) -> Vector:
+    """Give the velocity that one after an event has become at a time."""
+    return velocity + acceleration_of(fit) * (time - settled(fit, event))
+
+
+def _beside(fit: Fit, ball: int, velocity: Vector) -> list[str]:
+    """Speak of a ball that moves as in the run, at another place."""
+    offset = fit.offsets[fit.first, fit.rows.balls.index(ball)]
+    name, square = fit.run.ball_ids[ball], float(velocity @ velocity)
+    delay = -float(offset @ velocity) / square if square > 0.0 else 0.0
+    aside = float(np.linalg.norm(offset + delay * velocity))
+    if aside <= 1e-3 * np.linalg.norm(offset) + 4.0 * precision(fit):
+        words = "behind" if delay > 0.0 else "ahead"
+        return [f"there {name} moves with the same velocity as in Carom's run, {abs(delay):.4g} {words} in time"]
+    return [f"there {name} moves with the same velocity as in Carom's run, but {said(offset)} beside its place"]
+
+
+def _begins_at(fit: Fit, ball: int, event: Event, change: Vector) -> bool:
+    """Tell whether the difference began at an event: followed back, it was nothing then."""
+    assert fit.first is not None
+    time, before = fit.rows.times[fit.first], fit.rows.times[fit.first - 1]
+    start = settled(fit, event)
+    if start >= before - CLOCK * fit.run.end_time:
+        return True
+    offset = fit.offsets[fit.first, fit.rows.balls.index(ball)]
+    since = float(offset @ change) / float(change @ change)
+    astray = np.linalg.norm(offset - since * change) > 1e-3 * np.linalg.norm(offset) + 4.0 * precision(fit)
+    return not astray and abs(time - since - start) <= time - before
+
+
+def _standing(fit: Fit, event: Event) -> list[str]:
+    """Speak of two balls that do not come apart where the run's do, right before the first row that differs."""
+    assert fit.first is not None
+    if event.kind != "ball_ball" or settled(fit, event) < fit.rows.times[fit.first - 1] - CLOCK * fit.run.end_time:
+        return []
+    return Contact(fit, event, _balls_of(fit, event), (None, None)).standing()
+
+
+def _balls_of(fit: Fit, event: Event) -> tuple[int, int]:
+    one, two = (fit.run.ball_ids.index(name) for name in event.balls)
+    return one, two
+
+
+def _explain(fit: Fit, ball: int, event: Event, motion: Motion) -> list[str]:
+    if event.cluster is not None or event.time == 0.0:
+        return []
+    if event.kind == "ball_cushion":
+        return explain_cushion(fit, event, ball, motion)
+    if event.kind != "ball_ball":
+        return []
+    balls = _balls_of(fit, event)
+    one, two = (motion if each == ball else _motion_of_other(fit, each, event) for each in balls)
+    return Contact(fit, event, balls, (one, two)).explain()
+
+
+def _motion_of_other(fit: Fit, ball: int, event: Event) -> Motion | None:
+    """Give the other ball's velocity after a collision, if it is in the file and met nothing since."""
+    if ball not in fit.rows.balls:
+        return None
+    last = _last_event(fit, ball)
+    return Track(fit, ball).motion_after(event) if last is not None and last.index == event.index else None
+
+
+def _unforeseen(fit: Fit, ball: int, found: Vector, carom: Vector, change: Vector) -> list[str]:
+    """Speak of a ball that moves otherwise than in the run, without an event there."""
+    assert fit.first is not None
+    name, time, before = fit.run.ball_ids[ball], fit.rows.times[fit.first], fit.rows.times[fit.first - 1]
+    offset = fit.offsets[fit.first, fit.rows.balls.index(ball)]
+    since = float(offset @ change) / float(change @ change)
+    if _last_event(fit, ball) is None and abs(time - since) <= time - before:
+        return [
+            f"from the start {name} moves with the velocity {said(found)} in the file, {said(carom)} in Carom's run"
+        ]
+    rows = f"between {fit.rows.where(fit.first - 1)} and {fit.rows.where(fit.first)}"
+    events = fit.run.events.by_ball(name)
+    following = events[np.asarray(events["time"] > time + CLOCK * fit.run.end_time)].first()
+    then = f"; its next event there is {speak_of(fit, following)}" if following is not None else ""
+    return [
+        f"{rows} Carom's run has no event of {name}, but in the file its velocity becomes {said(found)}; "
+        f"Carom: {said(carom)}{then}"
+    ]

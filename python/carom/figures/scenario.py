@@ -1,0 +1,121 @@
+"""A scenario as it starts: the table, what stands on it, and the balls with their velocities."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.collections import EllipseCollection
+from matplotlib.colors import to_rgb
+
+from carom.figures import style
+from carom.figures.scene import Scene
+from carom.figures.table import arrow_scale, draw_arrow, draw_table, framed_ratio, points_per_unit, shown_radii
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+    from carom.scenario import Scenario
+
+MOST_ARROWS = 100
+SMALLEST_NAME = 5.0
+LETTER = 0.62  # width of a letter over its size
+
+
+def plot_scenario(scenario: Scenario, ax: Axes | None = None) -> Axes:
+    """Draw a scenario at time 0.
+
+    A ball's id stands in its disc where there is room. Arrows show the velocities, all at one scale, where at most
+    `MOST_ARROWS` balls move; more would hide the table.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        What to draw.
+    ax : Axes, optional
+        Where to draw; a new figure is made if not given.
+
+    Returns
+    -------
+    Axes
+    """
+    scene = Scene.of(scenario)
+    ax = _new_axes(scene) if ax is None else ax
+    draw_table(ax, scene)
+    ax.set_xlabel(scene.label("x", "length"), fontsize=style.LABEL_SIZE, labelpad=1)
+    ax.set_ylabel(scene.label("y", "length"), fontsize=style.LABEL_SIZE, labelpad=2)
+    balls = scenario.balls
+    places = np.array([ball.position for ball in balls], dtype=float)
+    velocities = np.array([ball.velocity for ball in balls], dtype=float)
+    _draw_discs(ax, scene, places)
+    _draw_names(ax, scene, places)
+    _draw_velocities(ax, scene, places, velocities)
+    return ax
+
+
+def _new_axes(scene: Scene) -> Axes:
+    """Make an axes as large as a page's column allows, in the table's proportions."""
+    ratio = framed_ratio(scene)
+    width = min(5.4, 6.4 / ratio)
+    left, right, below, above = 0.5, 0.1, 0.45, 0.06
+    total = (left + width + right, below + width * ratio + above)
+    place = (left / total[0], below / total[1], width / total[0], width * ratio / total[1])
+    return style.new_figure(*total).add_axes(place)
+
+
+def _draw_discs(ax: Axes, scene: Scene, places: NDArray[np.float64]) -> None:
+    """Draw all balls at once: a patch for each of thousands would take long."""
+    radii = shown_radii(scene)
+    edge = min(0.7, 0.3 * float(radii.min()) * points_per_unit(ax))
+    discs = EllipseCollection(
+        2.0 * radii,
+        2.0 * radii,
+        np.zeros(len(radii)),
+        units="xy",
+        offsets=places,
+        offset_transform=ax.transData,
+        facecolors=scene.colours,
+        edgecolors=style.BALL_EDGE,
+        linewidths=edge,
+        zorder=3.0,
+    )
+    ax.add_collection(discs, autolim=False)
+
+
+def _draw_names(ax: Axes, scene: Scene, places: NDArray[np.float64]) -> None:
+    """Write the ids into the discs that have room for them."""
+    diameters = 2.0 * scene.radii * points_per_unit(ax)
+    for name, place, diameter, colour in zip(scene.ids, places, diameters, scene.colours, strict=True):
+        size = min(style.LABEL_SIZE, 0.6 * diameter, 0.85 * diameter / (LETTER * max(len(name), 1)))
+        if size >= SMALLEST_NAME and name.isprintable():
+            ax.text(
+                float(place[0]),
+                float(place[1]),
+                name,
+                fontsize=size,
+                color="white" if _is_dark(colour) else style.INK,
+                ha="center",
+                va="center_baseline",
+                zorder=3.5,
+                parse_math=False,
+            )
+
+
+def _is_dark(colour: str) -> bool:
+    red, green, blue = to_rgb(colour)
+    return 0.299 * red + 0.587 * green + 0.114 * blue < 0.6
+
+
+def _draw_velocities(ax: Axes, scene: Scene, places: NDArray[np.float64], velocities: NDArray[np.float64]) -> None:
+    """Draw the velocities from the rims of the discs, so that they leave the names free."""
+    speeds = np.linalg.norm(velocities, axis=-1)
+    moving = speeds > 0.0
+    if not 0 < np.count_nonzero(moving) <= MOST_ARROWS:
+        return
+    radii, velocities, speeds = shown_radii(scene)[moving], velocities[moving], speeds[moving]
+    rims = places[moving] + radii[:, None] * velocities / speeds[:, None]
+    apart = scene.size / np.sqrt(len(places)) / float(speeds.max())
+    scale = arrow_scale(scene, [(rims, velocities)], apart)
+    for rim, velocity in zip(rims, velocities, strict=True):
+        draw_arrow(ax, rim, rim + scale * velocity)

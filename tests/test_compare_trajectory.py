@@ -1,0 +1,656 @@
+"""One's own trajectory against Carom's: agreement, what is wrong where, and how files are read."""
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import course_scheme as course
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import carom
+from carom import ColumnTable, Scenario, TrajectoryComparison, TrajectoryError, compare_trajectory
+
+COLUMNS = "t,xr,yr,xb,yb"
+Compared = Callable[..., TrajectoryComparison]
+
+
+@pytest.fixture(scope="module")
+def scheme() -> Scenario:
+    return carom.load("midterm_stepped")
+
+
+@pytest.fixture(scope="module")
+def right() -> list[course.Row]:
+    return course.simulate()
+
+
+@pytest.fixture
+def compared(scheme: Scenario, tmp_path: Path) -> Compared:
+    """Write rows to a file and compare them."""
+
+    def compare(rows: list[course.Row], scenario: Scenario = scheme, **options: Any) -> TrajectoryComparison:
+        form = options.pop("form", "%r")
+        path = course.write(tmp_path / "mine.csv", rows, form=form)
+        return compare_trajectory(scenario, path, columns=COLUMNS, **options)
+
+    return compare
+
+
+def rows_of(run: carom.Run, times: Any) -> list[Any]:
+    """Give a run's own rows."""
+    return [(t, *places.ravel().tolist()) for t, places in zip(times.tolist(), run.positions(times), strict=True)]
+
+
+def said(comparison: TrajectoryComparison) -> str:
+    return "\n".join([comparison.verdict, *comparison.reasons])
+
+
+def problems_of(scenario: Scenario, path: Path, text: str | bytes, **options: Any) -> list[tuple[str, str]]:
+    """Give the problems of a file, with ``mine`` for its name."""
+    path = path / "mine.csv"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    with pytest.raises(TrajectoryError) as error:
+        compare_trajectory(scenario, path, **options)
+    return [(place.replace(str(path), "mine"), message) for place, message in error.value.problems]
+
+
+# Verdicts
+
+
+def test_the_course_scheme_agrees(compared: Compared, right: list[course.Row]) -> None:
+    comparison = compared(right)
+    assert comparison
+    assert comparison.reasons == []
+    assert comparison.first_difference is None
+    assert comparison.largest < 1e-12
+    assert len(comparison.times) == len(right) == 168
+
+
+@pytest.mark.parametrize("normal", ["before", "contact"])
+@pytest.mark.parametrize("restart", [False, True])
+@pytest.mark.parametrize("full", [False, True])
+def test_a_student_finds_his_reading(compared: Compared, normal: str, restart: bool, full: bool) -> None:
+    comparison = compared(course.simulate(normal=normal, restart=restart, full=full))
+    readings = comparison.readings
+    assert readings is not None
+    mine = ("restart" if restart else "wait", normal, "full" if full else "short")
+    agreeing = [
+        tuple(readings[name][row] for name in ("after_hit", "normal", "last_step"))
+        for row in np.flatnonzero(readings["agrees"])
+    ]
+    assert agreeing == [mine]
+    own = mine == ("wait", "before", "short")
+    assert bool(comparison) == own
+    told = [reason for reason in comparison.reasons if reason.startswith("it agrees with another reading")]
+    assert len(told) == (0 if own else 1)
+    settings = dict(re.findall(r"--set (\S+?)=(\w+)", "".join(told)))
+    changed = comparison.run.scenario.with_values(settings)
+    assert compare_trajectory(changed, comparison_table(comparison), columns=None)
+
+
+def comparison_table(comparison: TrajectoryComparison) -> ColumnTable:
+    """The trajectory as a table with Carom's own names, all its rows."""
+    rows = comparison._fit.rows
+    columns = {"time": rows.times}
+    for ball, name in enumerate(comparison.balls):
+        columns |= {f"{name}.x": rows.places[:, ball, 0], f"{name}.y": rows.places[:, ball, 1]}
+    return ColumnTable(columns)
+
+
+def test_a_reading_may_be_of_a_scenario_with_a_number_of_steps(compared: Compared, scheme: Scenario) -> None:
+    comparison = compared(course.simulate(duration=0.6), scheme.with_values({"method.steps": 20}))
+    assert comparison
+    assert comparison.readings is not None
+    assert "last_step" not in comparison.readings.names
+
+
+@pytest.mark.parametrize("mistake", course.MISTAKES)
+def test_a_mistake_is_no_agreement(compared: Compared, mistake: str) -> None:
+    comparison = compared(course.simulate(mistake=mistake))
+    assert not comparison
+    assert comparison.first_difference is not None
+    assert comparison.readings is not None
+    assert not comparison.readings["agrees"].any()
+
+
+def test_the_first_row_that_differs_is_named(compared: Compared, right: list[course.Row]) -> None:
+    rows = list(right)
+    t, *red, x, y = rows[50]
+    rows[50] = (t, *red, x, y + 1e-3)  # type: ignore[assignment]
+    comparison = compared(rows)
+    first = comparison.first_difference
+    assert first is not None
+    assert (first.row, first.where, first.ball) == (50, "line 52", "blue")
+    assert first.time == pytest.approx(1.5)
+    assert first.distance == pytest.approx(1e-3)
+    assert first.position == (x, y + 1e-3)
+    assert first.expected == pytest.approx((x, y))
+    assert "line 52, t = 1.5: blue is at" in said(comparison)
+    assert "up to line 51 (t = 1.47) it agrees to" in said(comparison)
+    assert comparison.verdict.startswith("differs: 167 of 168 rows")
+
+
+def test_a_tolerance_is_kept_to_the_bit(midterm: Scenario) -> None:
+    table = midterm.run().trajectory([0.0, 1.0, 2.5, 5.0]).to_dict()
+    moved = {**table, "red.x": table["red.x"] + np.array([0.0, 0.0, 0.25, 0.0])}
+    off = float(abs(moved["red.x"] - table["red.x"])[2])
+    assert compare_trajectory(midterm, moved, tolerance=off)
+    assert not compare_trajectory(midterm, moved, tolerance=np.nextafter(off, 0.0))
+
+
+# What is wrong
+
+
+@pytest.mark.parametrize(
+    ("mistake", "words"),
+    [
+        (
+            "swapped",
+            r"normal of this collision is turned by 0\.191 degrees .* the normal with its components exchanged",
+        ),
+        ("swapped", r"along that direction the velocities are exchanged as they should be"),
+        ("tangent", r"both balls hardly move from line 34 to line 169, .* or of another direction"),
+        ("not unit", r"both balls hardly move from line 34 to line \d+, .* a normal that is not of length 1"),
+        (
+            "normal only",
+            r"by -0\.8 \(Carom: -0\.8\), the tangential one by 1 \(Carom: 0\.8\): only the normal component",
+        ),
+        ("undamped", r"by -1 \(Carom: -0\.8\), the tangential one by 1 \(Carom: 0\.8\): nothing is damped"),
+        ("missed", r"both balls go straight on: this collision is missing"),
+        ("whole", r"the balls exchange their whole velocities"),
+        ("one only", r"momentum is not kept in the file: \(1\.536, -2\.048\) before this collision, \(3\.33"),
+        ("one only", r"blue's velocity goes from \(0, 0\) to \(1\.79\d+, -1\.78\d+\) \(as in Carom's run\)"),
+    ],
+)
+def test_a_mistake_is_named(compared: Compared, mistake: str, words: str) -> None:
+    assert re.search(words, said(compared(course.simulate(mistake=mistake))))
+
+
+@pytest.mark.parametrize("mistake", ["swapped", "tangent", "not unit", "missed", "whole", "one only"])
+def test_a_mistake_between_balls_is_placed_at_their_collision(compared: Compared, mistake: str) -> None:
+    text = said(compared(course.simulate(mistake=mistake)))
+    assert "the collision of red and blue at t = 0.923317, in step 30" in text
+    assert "cushion" not in text
+
+
+@pytest.mark.parametrize("mistake", ["normal only", "undamped"])
+def test_a_mistake_at_a_cushion_is_placed_there(compared: Compared, mistake: str) -> None:
+    text = said(compared(course.simulate(mistake=mistake)))
+    assert "the contact of red with the right cushion at t = 0.275, in step 9" in text
+    assert "collision" not in text
+
+
+def test_six_digits_are_enough_to_name_a_mistake(compared: Compared) -> None:
+    text = said(compared(course.simulate(mistake="swapped"), form="%.6f", tolerance=2e-6))
+    assert "it is the normal with its components exchanged" in text
+
+
+def collided(run: carom.Run, turn: float, factor: float) -> list[Any]:
+    """Rows of the exact exercise to t = 1.08, where the impulse of its collision is turned, in degrees, and scaled."""
+    event = run.events.by_kind("ball_ball")[0]
+    times = np.linspace(0.0, 1.08, 109)
+    places = run.positions(times)
+    before = run.velocities(np.nextafter(event.time, 0.0))
+    x, y = event.normal
+    c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
+    normal = np.array([c * x - s * y, s * x + c * y])
+    impulse = factor * ((before[0] - before[1]) @ normal) * normal
+    late = times > event.time
+    for ball, sign in ((0, -1.0), (1, 1.0)):
+        velocity = before[ball] + sign * impulse
+        places[late, ball] = run.positions(event.time)[ball] + np.outer(times[late] - event.time, velocity)
+    return [(t, *place.ravel().tolist()) for t, place in zip(times.tolist(), places, strict=True)]
+
+
+@pytest.mark.parametrize("columns", [COLUMNS, "time=t,blue.x=xb,blue.y=yb", "time=t,red.x=xr,red.y=yr"])
+def test_a_turned_normal_and_a_weak_impulse_are_measured(
+    midterm: Scenario, run: carom.Run, tmp_path: Path, columns: str
+) -> None:
+    for turn, factor, words in (
+        (23.1, 1.0, "the normal of this collision is turned by 23.1 degrees in the file"),
+        (-50.0, 1.0, "turned by 50 degrees"),
+        (90.0, 1.0, "turned by 90 degrees"),
+        (0.0, 0.9, "has Carom's direction but is too weak: 0.9 times Carom's"),
+        (0.0, 2.0, "too strong: 2 times"),
+        (0.0, -1.0, "drives the balls together: it is -1 times Carom's"),
+    ):
+        path = course.write(tmp_path / "mine.csv", collided(run, turn, factor))
+        comparison = compare_trajectory(midterm, path, columns=columns, duration=1.08)
+        text = said(comparison)
+        assert words in text
+        assert ("exchanged as they should be" in text) == (turn != 0.0)
+        assert ("it is the tangent" in text) == (turn == 90.0)
+        path = course.write(tmp_path / "right.csv", collided(run, 0.0, 1.0))
+        assert compare_trajectory(midterm, path, columns=columns, duration=1.08)
+
+
+def test_a_wrong_tolerance_does_not_make_up_a_cause(compared: Compared) -> None:
+    """Beyond a coarse tolerance velocities are too uncertain, so that nothing is said of them."""
+    text = said(compared(course.simulate(mistake="swapped"), form="%.2f", tolerance=0.02))
+    assert "degrees" not in text
+    assert "factor" not in text
+
+
+def test_a_scheme_with_waiting_is_late_beside_the_exact_run(
+    compared: Compared, midterm: Scenario, right: list[course.Row]
+) -> None:
+    comparison = compared(right, midterm)
+    assert "the contact of red with the right cushion at t = 0.275" in said(comparison)
+    assert "the same velocity as in Carom's run, 0.025 behind in time" in said(comparison)
+    assert any("--method stepped --dt 0.03" in note for note in comparison.notes)
+
+
+def test_another_velocity_at_the_start_is_named(compared: Compared, midterm: Scenario) -> None:
+    run = midterm.with_values({"balls.red.velocity[0]": 2.5}).run()
+    times = np.linspace(0.0, 0.25, 11)
+    rows = rows_of(run, times)
+    text = said(compared(rows, midterm, duration=0.25))
+    assert "from the start red moves with the velocity (2.5, 4) in the file, (3, 4) in Carom's run" in text
+
+
+def test_a_change_without_an_event_is_named(compared: Compared, midterm: Scenario) -> None:
+    """A ball of another radius turns before it is at the cushion."""
+    run = midterm.with_values({"balls.red.radius": 0.0999}).run()
+    times = np.linspace(0.0, 5.0, 501)
+    rows = rows_of(run, times)
+    text = said(compared(rows, midterm))
+    assert "Carom's run has no event of red, but in the file its velocity becomes (-2.4, 3.2)" in text
+    assert "its next event there is the contact of red with the right cushion at t = 0.275" in text
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda t, a, b, c, d: (t, c, d, a, b), "red is where Carom has blue"),
+        (lambda t, a, b, c, d: (t, b, a, d, c), "x and y are exchanged"),
+        (lambda t, a, b, c, d: (t, 100 * a, 100 * b, 100 * c, 100 * d), "100 times Carom's: another unit"),
+        (lambda t, a, b, c, d: (t, a - 0.5, b - 1, c - 0.5, d - 1), r"moved by \(-0.5, -1\): another origin"),
+        (lambda t, a, b, c, d: (t + 0.03, a, b, c, d), "0.03 earlier in time: its clock is off"),
+    ],
+)
+def test_rows_wrong_from_the_first_are_explained(
+    compared: Compared, right: list[course.Row], change: Callable[..., course.Row], words: str
+) -> None:
+    assert re.search(words, said(compared([change(*row) for row in right[:-2]])))
+
+
+# Rows that are lost
+
+
+def test_a_hole_in_the_times_is_named(compared: Compared, right: list[course.Row]) -> None:
+    comparison = compared(course.without(right, 40))
+    assert not comparison
+    assert comparison.first_difference is None
+    assert "a row is missing between line 41 and line 42: the time goes from 1.17 to 1.23" in said(comparison)
+    assert "they do not cover the run" in comparison.verdict
+
+
+def test_holes_are_counted(compared: Compared, right: list[course.Row]) -> None:
+    rows = [row for place, row in enumerate(right) if place not in (20, 21, 50, 70, 90, 110)]
+    reasons = compared(rows).reasons
+    assert reasons[0].startswith("2 rows are missing between line 21 and line 22")
+    assert reasons[-1] == "and 2 more holes in its times"
+
+
+@pytest.mark.parametrize("place", [5, 40, 100])
+def test_a_lost_row_is_found_though_the_clock_goes_on(compared: Compared, right: list[course.Row], place: int) -> None:
+    comparison = compared(course.lost(right, place))
+    assert not comparison
+    assert f"from line {place + 2} on every row agrees with Carom one row later" in said(comparison)
+    assert "it ends at t = 4.98" in said(comparison)
+
+
+def test_a_row_too_many_is_found(compared: Compared, right: list[course.Row]) -> None:
+    doubled = right[:41] + right[40:]
+    rows = [(row[0], *other[1:]) for row, other in zip(right, doubled, strict=False)]
+    assert "from line 43 on every row agrees with Carom one row earlier" in said(compared(rows))
+
+
+def test_a_part_does_not_cover_the_run_unless_it_is_asked_for(compared: Compared, right: list[course.Row]) -> None:
+    comparison = compared(right[:81])
+    assert not comparison
+    assert "it ends at t = 2.4 (line 82), the run at 5; --duration 2.4 compares that part" in said(comparison)
+    assert compared(right[:81], duration=2.4)
+    part = compared(right, duration=2.4)
+    assert part
+    assert "compared up to t = 2.4: 81 of 168 rows" in part.notes
+    assert "it starts at t = 0.03 (line 2), the run at 0" in said(compared(right[1:]))
+
+
+@pytest.mark.parametrize("step", [0.01, 0.05, 0.0371])
+def test_other_time_grids_are_compared_at_their_own_times(midterm: Scenario, step: float) -> None:
+    run = midterm.run()
+    assert compare_trajectory(midterm, run.trajectory(run.sample_times(step)))
+    irregular = np.union1d(run.events["time"], [0.0, 5.0])
+    assert compare_trajectory(midterm, run.trajectory(irregular))
+
+
+def test_a_clock_that_was_added_up_may_end_a_hair_late(midterm: Scenario) -> None:
+    run = midterm.run()
+    table = run.trajectory(run.sample_times(0.5)).to_dict()
+    late = {**table, "time": table["time"] * (1 + 5e-10)}
+    assert compare_trajectory(midterm, late, tolerance=1e-7)
+    with pytest.raises(TrajectoryError, match="after the run's end"):
+        compare_trajectory(midterm, {**table, "time": table["time"] * (1 + 5e-9)})
+
+
+def test_balls_at_rest_may_be_followed_for_longer() -> None:
+    scenario = carom.load("damped_drop")
+    run = scenario.run()
+    assert run.status == "at_rest"
+    table = run.trajectory(np.linspace(0.0, 2.0 * run.end_time, 200))
+    assert compare_trajectory(scenario, table)
+    assert not compare_trajectory(scenario, run.trajectory(np.linspace(0.0, 0.5 * run.end_time, 200)))
+
+
+# How columns are named
+
+
+def test_carom_s_own_tables_need_no_names(midterm: Scenario, scheme: Scenario, tmp_path: Path) -> None:
+    run = scheme.run()
+    assert run.steps is not None
+    for name, table in (("trajectory", run.trajectory(run.sample_times(0.01))), ("steps", run.steps)):
+        table.to_csv(tmp_path / f"{name}.csv")
+        comparison = compare_trajectory(scheme, tmp_path / f"{name}.csv")
+        assert comparison
+        assert any(note.startswith("columns not compared: ") and "red.vx" in note for note in comparison.notes)
+
+
+def test_some_balls_may_be_left_out(
+    compared: Compared, right: list[course.Row], scheme: Scenario, tmp_path: Path
+) -> None:
+    path = course.write(tmp_path / "mine.csv", right)
+    comparison = compare_trajectory(scheme, path, columns="time=t, blue.y=yb, blue.x=xb")
+    assert comparison
+    assert comparison.balls == ["blue"]
+    assert comparison.columns == {"time": "t", "blue.x": "xb", "blue.y": "yb"}
+    assert comparison.notes[1:] == ["columns not compared: xr, yr", "balls not compared: red"]
+
+
+def test_without_a_header_columns_are_named_by_place(scheme: Scenario, right: list[course.Row], tmp_path: Path) -> None:
+    path = tmp_path / "mine.csv"
+    course.write(path, [(*row, 7.0) for row in right], header="")  # type: ignore[misc]
+    comparison = compare_trajectory(scheme, path, columns=f"{COLUMNS},")
+    assert comparison
+    assert comparison.columns["blue.x"] == "4"
+    assert "as there is no header" in comparison.notes[0]
+    assert compare_trajectory(scheme, path, columns={"time": "1", "blue.x": "4", "blue.y": "5"})
+
+
+@given(
+    order=st.permutations(range(7)),
+    names=st.lists(
+        st.text(st.characters(exclude_characters='"#%=,;\r\n\x00', exclude_categories=("Cs", "Cc", "Z")), min_size=1),
+        min_size=7,
+        max_size=7,
+        unique=True,
+    ).filter(lambda names: not all(re.fullmatch(r"[-+.\dEeinfatyINFATY]*", name) for name in names)),
+    delimiter=st.sampled_from(",;\t"),
+    explicit=st.booleans(),
+    end=st.sampled_from(["\n", "\r\n"]),
+)
+def test_any_order_and_names_of_columns_give_the_same(
+    order: list[int],
+    names: list[str],
+    delimiter: str,
+    explicit: bool,
+    end: str,
+    tmp_path_factory: pytest.TempPathFactory,
+) -> None:
+    scenario = carom.load("midterm")
+    run = scenario.run()
+    table = run.trajectory(np.linspace(0.0, 5.0, 12)).to_dict()
+    roles = ["time", "red.x", "red.y", "blue.x", "blue.y", "red.vx", "blue.vx"]
+    written = {names[place]: table[roles[place]] for place in order}
+    path = tmp_path_factory.mktemp("any") / "mine.csv"
+    rows = zip(*written.values(), strict=True)
+    lines = [delimiter.join(written), *(delimiter.join(map(repr, map(float, row))) for row in rows)]
+    path.write_text(end.join(lines), encoding="utf-8", newline="")
+    wanted = dict(zip(roles[:5], names[:5], strict=True))
+    comparison = compare_trajectory(scenario, path, columns=wanted if explicit else names[:5], delimiter=delimiter)
+    assert comparison
+    assert comparison.largest == 0.0
+    assert comparison.columns == wanted
+
+
+@pytest.mark.parametrize(
+    ("columns", "words"),
+    [
+        ("t,xr,yr", "3 names, and 5 are needed, for time, red.x, red.y, blue.x, blue.y"),
+        ("time=t,red.x=xr", "red.x is named, and red.y is not"),
+        ("red.x=xr,red.y=yr", "the column of the time is not named"),
+        ("time=t", "no ball is named"),
+        ("time=t,rde.x=xr,red.y=yr", "nothing is called 'rde.x'; the nearest is 'red.x'"),
+        ("time=t,red.x=xr,red.x=xr", "red.x is given twice"),
+        ("time=t,xr,yr", "'xr' is not WHAT=NAME"),
+        ("t,xr,yr,xb,yB", "no column 'yB'; the nearest is 'yb'"),
+        ("t,xr,yr,xr,yr", "column 'xr' is to be both red.x and blue.x"),
+        ("t,xr,yr,xb,z", "columns: t, xr, yr, xb, yb"),
+        (None, "none of the columns time, red.x, red.y, blue.x, blue.y is in it"),
+    ],
+)
+def test_columns_named_wrongly_are_errors(
+    scheme: Scenario, right: list[course.Row], tmp_path: Path, columns: str | None, words: str
+) -> None:
+    course.write(tmp_path / "mine.csv", right)
+    with pytest.raises(TrajectoryError, match=re.escape(words)):
+        compare_trajectory(scheme, tmp_path / "mine.csv", columns=columns)
+
+
+def test_no_header_and_no_names_is_an_error(scheme: Scenario, right: list[course.Row], tmp_path: Path) -> None:
+    text = "\n".join(",".join(map(repr, row)) for row in right)
+    (problem,) = problems_of(scheme, tmp_path, f"# t xr yr xb yb\n{text}")
+    assert problem[1].startswith("no header: name its 5 columns in order with --columns, for time, red.x")
+    assert problem[1].endswith("(its comment says: # t xr yr xb yb)")
+    (problem,) = problems_of(scheme, tmp_path, text, columns="t,x,y")
+    assert problem == (
+        "--columns",
+        problem[1],
+    )
+    assert problem[1].startswith("3 names for the 5 columns of")
+
+
+# Files that are odd but sound
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda text: "\ufeff" + text,
+        lambda text: text.replace("\n", "\r\n"),
+        lambda text: text + "\n\n   \n",
+        lambda text: "\n\n" + text.replace("\n", "\n\n"),
+        lambda text: re.sub(r"([^,\n]+)", r'"\1"', text),
+        lambda text: text.replace(",", " , "),
+        lambda text: "# made by me\n% and by MATLAB\n" + text,
+        lambda text: text.rstrip("\n"),
+    ],
+    ids=["mark", "crlf", "blank end", "blank lines", "quotes", "spaces", "comments", "no last end"],
+)
+def test_odd_files_are_read(
+    scheme: Scenario, right: list[course.Row], tmp_path: Path, change: Callable[[str], str]
+) -> None:
+    path = course.write(tmp_path / "mine.csv", right)
+    path.write_text(change(path.read_text(encoding="utf-8")), encoding="utf-8", newline="")
+    assert compare_trajectory(scheme, path, columns=COLUMNS)
+
+
+def test_lines_are_counted_with_the_empty_ones(scheme: Scenario, right: list[course.Row], tmp_path: Path) -> None:
+    rows = list(right)
+    rows[3] = (rows[3][0], 0.5, *rows[3][2:])
+    path = course.write(tmp_path / "mine.csv", rows)
+    path.write_text("# note\n\n" + path.read_text(encoding="utf-8").replace("\n", "\n\n"), encoding="utf-8")
+    first = compare_trajectory(scheme, path, columns=COLUMNS).first_difference
+    assert first is not None
+    assert path.read_text(encoding="utf-8").splitlines()[int(first.where.split()[1]) - 1].split(",")[1] == "0.5"
+
+
+@pytest.mark.parametrize("delimiter", [";", "\t", " "])
+def test_delimiters_are_as_told(scheme: Scenario, right: list[course.Row], tmp_path: Path, delimiter: str) -> None:
+    path = course.write(tmp_path / "mine.csv", right, COLUMNS.replace(",", delimiter), delimiter)
+    assert compare_trajectory(scheme, path, columns=COLUMNS, delimiter=delimiter)
+    if delimiter != " ":
+        return
+    np.savetxt(path, right)
+    assert compare_trajectory(scheme, path, columns=COLUMNS, delimiter=" ")
+
+
+# Files that are wrong
+
+
+HEAD = "t,xr,yr,xb,yb\n0,0.1,0.1,0.5,1\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("", [("mine", "holds no line of a table")]),
+        ("# only this\n", [("mine", "holds no line of a table")]),
+        ("t,xr,yr,xb,yb\n", [("mine", "a header and no rows")]),
+        (HEAD + "0.03,abc,0.2,0.5,1\n", [("mine, line 3, xr", "'abc' is not a number")]),
+        (HEAD + "0.03,0.1,0.2,0.5,\n", [("mine, line 3, yb", "is empty")]),
+        (HEAD + "0.03,0.1,0.2,0.5\n", [("mine, line 3", "4 columns, and the header has 5")]),
+        (HEAD + "\n0.03,0.1,0.2,0.5,1,9\n", [("mine, line 4", "6 columns, and the header has 5")]),
+        (HEAD + "0.03,0.1,nan,0.5,1\n", [("mine, line 3, yr", "must be finite, got nan")]),
+        (HEAD + "0.03,0.1,1e999,0.5,1\n", [("mine, line 3, yr", "must be finite, got inf")]),
+        (HEAD + "0.0,0.1,0.2,0.5,1\n", [("mine, line 3", "times must ascend: 0 stands twice")]),
+        (HEAD + "2,0.1,0.2,0.5,1\n1,0,0,0,0\n", [("mine, line 4", "times must ascend: 1 comes after 2")]),
+        (HEAD.replace("\n0", "\n-1"), [("mine, line 2", "the time is negative: -1")]),
+        (HEAD + "# end\n", [("mine, line 3", "1 columns, and the header has 5")]),
+        (
+            HEAD.replace("yr", "xr"),
+            [("mine", "2 columns are called 'xr'"), ("mine", "no column 'yr'; the nearest is 'yb'")],
+        ),
+        (HEAD + "1_0,0.1,0.2,0.5,1\n", [("mine, line 3, t", "'1_0' is not a number")]),
+        (
+            "t,xr,yr,xb,yb\n" + "0,03,0,1,0,1,0,5,1,0\n",
+            [("mine, line 2", "10 columns, and the header has 5; are these")],
+        ),
+        (b"t,xr,yr,xb,yb\n0,0,0,0,\xff\n", [("mine", "not a text in UTF-8 (byte 22)")]),
+    ],
+)
+def test_a_wrong_file_is_an_error_with_its_place(
+    scheme: Scenario, tmp_path: Path, text: str | bytes, wanted: list[tuple[str, str]]
+) -> None:
+    found = problems_of(scheme, tmp_path, text, columns=COLUMNS)
+    for (place, message), (wanted_place, wanted_message) in zip(found, wanted, strict=False):
+        assert place == wanted_place
+        assert message.startswith(wanted_message)
+    assert len(found) >= len(wanted)
+
+
+def test_many_problems_are_counted(scheme: Scenario, tmp_path: Path) -> None:
+    lines = [f"{t},x,0.2,0.5,1" for t in range(1, 101)]
+    found = problems_of(scheme, tmp_path, HEAD + "\n".join(lines), columns=COLUMNS)
+    assert [place for place, _ in found] == [*(f"mine, line {line}, xr" for line in range(3, 8)), "mine"]
+    assert found[-1][1] == "and 95 more values that are no numbers"
+    text = HEAD + "\n".join(f"{t},nan,0.2,0.5,1" for t in range(1, 101))
+    assert problems_of(scheme, tmp_path, text, columns=COLUMNS)[-1][1] == "and 95 more values that are not finite"
+
+
+def test_another_delimiter_is_named(scheme: Scenario, tmp_path: Path) -> None:
+    for delimiter, name in ((";", "';'"), ("\t", "tab"), (" ", "space")):
+        text = HEAD.replace(",", delimiter)
+        found = problems_of(scheme, tmp_path, text, columns=COLUMNS)
+        assert f"it has 1 column; with {name} as delimiter it has 5: --delimiter {name}" in found[-1][1]
+        without = problems_of(scheme, tmp_path, text.split("\n")[1], columns=COLUMNS)
+        assert f"--delimiter {name}" in without[-1][1]
+
+
+def test_decimal_commas_are_named(scheme: Scenario, tmp_path: Path) -> None:
+    text = "t;xr;yr;xb;yb\n0;0,1;0,1;0,5;1\n"
+    found = problems_of(scheme, tmp_path, text, columns=COLUMNS, delimiter=";")
+    assert found[0] == ("mine, line 2, xr", "'0,1' has a decimal comma; write a decimal point")
+
+
+def test_times_after_the_end_are_an_error_that_says_how_to_go_on(midterm: Scenario, tmp_path: Path) -> None:
+    text = HEAD.replace("t,xr,yr,xb,yb", "time,red.x,red.y,blue.x,blue.y") + "6,0,0,0,0\n7,0,0,0,0\n"
+    found = problems_of(midterm, tmp_path, text)
+    assert found[0] == ("mine, line 3", "t = 6 is after the run's end")
+    assert found[-1] == ("mine", "the run ends at t = 5; --duration sets another end, or compares a part")
+
+
+def test_what_is_no_file_is_an_error(midterm: Scenario, tmp_path: Path) -> None:
+    for path, words in ((tmp_path / "none.csv", "no such file"), (tmp_path, "not a file")):
+        with pytest.raises(TrajectoryError, match=words):
+            compare_trajectory(midterm, path)
+
+
+# Tables in memory
+
+
+def test_tables_of_every_kind_are_taken(midterm: Scenario) -> None:
+    table = midterm.run().trajectory(np.linspace(0.0, 5.0, 20))
+    frame, arrow = table.to_pandas(), table.to_arrow()
+    for source in (table, table.to_dict(), {name: list(x) for name, x in table.to_dict().items()}, frame, arrow):
+        assert compare_trajectory(midterm, source)
+    with pytest.raises(TypeError, match="must be a path, or a table of columns, got int"):
+        compare_trajectory(midterm, 3)
+
+
+def test_wrong_tables_are_errors(midterm: Scenario) -> None:
+    good = midterm.run().trajectory([0.0, 1.0, 5.0]).to_dict()
+    for change, words in (
+        ({"red.x": ["a", 1.0, 2.0]}, "row 0, red.x: 'a' is not a number"),
+        ({"red.x": [1.0, 2.0]}, "columns of different length: time 3, red.x 2"),
+        ({"red.x": [[1.0], [2.0], [3.0]]}, "must be one column"),
+        ({"red.x": [1.0, np.nan, 2.0]}, "row 1, red.x: must be finite, got nan"),
+    ):
+        with pytest.raises(TrajectoryError, match=re.escape(words)):
+            compare_trajectory(midterm, {**good, **change})
+
+
+# The result
+
+
+def test_a_saved_run_is_compared_as_it_is(scheme: Scenario, right: list[course.Row], tmp_path: Path) -> None:
+    path = course.write(tmp_path / "mine.csv", right)
+    run = scheme.run()
+    assert compare_trajectory(run, path, columns=COLUMNS)
+    assert compare_trajectory(run, path, columns=COLUMNS, duration=3.0)
+    with pytest.raises(carom.RunError, match="duration: 6 is after the end of the run at 5"):
+        compare_trajectory(run, path, columns=COLUMNS, duration=6.0)
+    with pytest.raises(carom.RunError, match="duration: must be zero or positive and finite, got nan"):
+        compare_trajectory(run, path, columns=COLUMNS, duration=float("nan"))
+    with pytest.raises(carom.RunError, match="kept no flights"):
+        compare_trajectory(scheme.run(record="events"), path, columns=COLUMNS)
+
+
+def test_the_tables_hold_what_was_compared(compared: Compared, right: list[course.Row], tmp_path: Path) -> None:
+    comparison = compared(course.simulate(mistake="whole"))
+    table = comparison.table
+    assert table.names[:6] == ["time", "red.x", "red.y", "red.carom_x", "red.carom_y", "red.distance"]
+    carom_x, carom_y = (np.array([row[c] for row in right]) for c in (1, 2))
+    assert table["red.carom_x"] == pytest.approx(carom_x, abs=1e-12)
+    apart = np.hypot(table["red.x"] - carom_x, table["red.y"] - carom_y)
+    assert table["red.distance"] == pytest.approx(apart, abs=1e-12)
+    by_ball = comparison.by_ball
+    assert by_ball["ball"].tolist() == ["red", "blue"]
+    assert by_ball["within"].tolist() == [int((table[f"{name}.distance"] <= 1e-6).sum()) for name in ("red", "blue")]
+    assert by_ball["largest"].max() == comparison.largest
+    table.to_csv(tmp_path / "table.csv")
+
+
+def test_it_says_itself_on_one_screen(compared: Compared) -> None:
+    text = repr(compared(course.simulate(mistake="one only")))
+    assert text.startswith("TrajectoryComparison of ")
+    assert len(text.splitlines()) < 20
+
+
+def test_a_tolerance_below_zero_and_a_long_delimiter_are_refused(midterm: Scenario, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="tolerance"):
+        compare_trajectory(midterm, {}, tolerance=-1.0)
+    with pytest.raises(ValueError, match="delimiter"):
+        compare_trajectory(midterm, tmp_path, delimiter=";;")
+
+
+def test_in_a_field_the_factor_of_a_cushion_is_measured_too() -> None:
+    scenario = carom.load("damped_drop")
+    other = scenario.with_values({"physics.ball_cushion.normal": 0.7}).run()
+    text = said(compare_trajectory(scenario, other.trajectory(np.arange(0.0, 2.0, 0.01)), duration=1.99))
+    assert "the contact of ball with the bottom cushion at t = 1" in text
+    assert "multiplies the normal component of ball's velocity by -0.7 (Carom: -0.8)" in text
