@@ -11,8 +11,8 @@ SCENARIOS := $(wildcard scenarios/*)
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build run test test-rust test-python lint lint-rust lint-python format licences third-party bench digests
-.PHONY: wheel wheel-check floors clean
+.PHONY: help build run test test-rust test-python lint lint-rust lint-python format docs licences third-party bench
+.PHONY: digests wheel wheel-check floors clean
 
 help: ## List these commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -24,7 +24,7 @@ run: build ## Run the exercise both ways into out/midterm/
 	$(BIN)/carom run midterm --out out/midterm/exact --overwrite
 	$(BIN)/carom run midterm --method stepped --dt 0.03 --out out/midterm/stepped --overwrite
 
-test: test-rust test-python lint ## Run every test and lint
+test: test-rust test-python lint docs ## Run every test and lint, and build the site
 
 test-rust: ## Run the engine's tests, the golden digests in an unoptimised build too
 	@$(need_rust)
@@ -57,6 +57,12 @@ format: $(VENV)/.tools ## Format the code, and mend what the linter can mend
 	$(CARGO) fmt --all
 	$(BIN)/ruff format .
 	$(BIN)/ruff check --fix .
+
+docs: build ## Build the site into site/, warnings as errors, and check its links
+	$(BIN)/python -m pip install --quiet --group docs
+	rm -rf site
+	$(BIN)/python -m sphinx -W --keep-going -n -q -b html docs site
+	$(BIN)/python docs/carom_docs/links.py site
 
 licences: build ## Check the licences of all that is shipped, and THIRD-PARTY.txt
 	@$(need_rust)
@@ -93,7 +99,7 @@ floors: wheel ## Run the package's tests with the oldest supported Python packag
 	tests/packaging/floors.sh $(FLOOR_PYTHON) dist
 
 clean: ## Remove everything that was built
-	rm -rf target $(VENV) out dist .pytest_cache .ruff_cache .mypy_cache .hypothesis
+	rm -rf target $(VENV) out dist site docs/pictures docs/reference/api .pytest_cache .ruff_cache .mypy_cache .hypothesis
 	rm -f python/carom/_engine*.so
 	find python tests -name __pycache__ -type d -prune -exec rm -rf {} +
 

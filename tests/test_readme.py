@@ -1,4 +1,4 @@
-"""What the README shows is true: its Python runs, its scenario is the midterm, the paths it names exist."""
+"""What the README says is true: its scenario is the midterm, the paths it names exist."""
 
 import re
 from pathlib import Path
@@ -13,13 +13,6 @@ def block(language: str) -> str:
     """The text of the one block in a language."""
     (found,) = re.findall(rf"```{language}\n(.*?)```", TEXT, re.DOTALL)
     return found
-
-
-def test_python_block_runs():
-    names: dict = {}
-    exec(block("python"), names)
-    assert names["run"].status == "time_limit"
-    assert names["variant"].value("balls.red.velocity[0]") == 3.1
 
 
 def test_scenario_block_is_the_midterm():

@@ -67,9 +67,9 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
     ],
     check: ["carom check my.toml"],
     verify: ["carom verify out/mine/run.json"],
-    scenarios: ["carom scenarios", "carom scenarios --copy midterm my.toml"],
+    scenarios: ["carom scenarios", "carom scenarios --copy stadium stadium.toml"],
     schema: ["carom schema > carom.schema.json"],
-    bench: ["carom bench", "carom bench midterm --repeats 21"],
+    bench: ["carom bench midterm stadium", "carom bench midterm --repeats 21"],
 }
 
 for command, examples in EXAMPLES.items():
