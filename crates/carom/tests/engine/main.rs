@@ -19,6 +19,7 @@ mod extremes;
 mod fast_path;
 mod heaps;
 mod kit;
+mod laws;
 mod leaks;
 mod midterm;
 mod resting;
