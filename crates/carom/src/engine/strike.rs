@@ -12,7 +12,7 @@ use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::ball_ball::{Impact, Pair};
 use crate::law::ball_cushion::Rebound;
-use crate::law::restitution_keeping;
+use crate::law::collapse::restitution_keeping;
 use crate::model::{Disc, closing_threshold};
 use crate::run::{Event, Kind, Observer};
 use crate::scalar::Scalar;

@@ -22,6 +22,7 @@ mod kit;
 mod laws;
 mod leaks;
 mod midterm;
+mod references;
 mod resting;
 mod run_files;
 mod stepped;

@@ -4,7 +4,7 @@ use super::{Contact, Member, is_same_direction};
 use crate::engine::Discs;
 use crate::geometry::Vec2;
 use crate::law::cluster::Body;
-use crate::law::restitution_keeping;
+use crate::law::collapse::restitution_keeping;
 use crate::run::Event;
 use crate::scalar::Scalar;
 

@@ -5,6 +5,7 @@ mod restitution;
 pub use restitution::Restitution;
 
 use crate::geometry::Vec2;
+use crate::law::Reference;
 use crate::model::Disc;
 use crate::scalar::Scalar;
 
@@ -54,6 +55,13 @@ impl<S: Scalar> Law<S> {
     pub fn impact(&self, pair: &Pair<S>, restitution: S) -> Impact<S> {
         match self {
             Self::Restitution(law) => law.impact(pair, restitution),
+        }
+    }
+
+    /// Its sources.
+    pub fn references(&self) -> &'static [Reference] {
+        match self {
+            Self::Restitution(_) => restitution::REFERENCES,
         }
     }
 

@@ -8,6 +8,7 @@ mod restitution;
 pub use restitution::Restitution;
 
 use crate::geometry::Vec2;
+use crate::law::Reference;
 use crate::scalar::Scalar;
 
 /// A law with its parameters, and what the engine asks of it.
@@ -53,6 +54,13 @@ impl<S: Scalar> Law<S> {
     pub fn slide(&self, velocity: Vec2<S>, (normal, scale): (Vec2<S>, S)) -> Option<Vec2<S>> {
         match self {
             Self::Restitution(law) => law.slide(velocity, (normal, scale)),
+        }
+    }
+
+    /// Its sources.
+    pub fn references(&self) -> &'static [Reference] {
+        match self {
+            Self::Restitution(_) => restitution::REFERENCES,
         }
     }
 

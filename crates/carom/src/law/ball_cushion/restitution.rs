@@ -2,10 +2,17 @@
 //!
 //! `elastic` is e = β = 1; `damping` with one factor α, the law of the course exercise, is e = β = α. The energy lost is
 //! `½ m [(1 − e²) v_n² + (1 − β²) v_t²]`.
+//!
+//! Source: Newton (1687) for e; the factor β is the course exercise's.
 
 use super::Rebound;
 use crate::geometry::Vec2;
+use crate::law::Reference;
+use crate::law::reference::newton;
 use crate::scalar::Scalar;
+
+/// The sources of the law.
+pub(super) const REFERENCES: &[Reference] = &[newton("ball_cushion.restitution")];
 
 /// Parameters of the law.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,15 +4,25 @@
 //! of their place, never of their numbers, so that a renumbering changes no bit.
 
 mod complementarity;
-mod pairwise;
-mod reflections;
+pub mod pairwise;
+pub mod reflections;
 
 pub use pairwise::resolve_pairwise;
 pub use reflections::resolve_reflections;
 
 use crate::geometry::Vec2;
-use crate::law::{ball_ball, ball_cushion, restitution_keeping};
+use crate::law::collapse::restitution_keeping;
+use crate::law::{Reference, ball_ball, ball_cushion};
 use crate::scalar::Scalar;
+
+/// A study of both laws: which of them end, and how losses are to be built in.
+const fn vouga_2017(law: &'static str) -> Reference {
+    Reference {
+        law,
+        text: "E. Vouga, B. Smith, D. M. Kaufman, R. Tamstorf, E. Grinspun, All's well that ends well: guaranteed resolution of simultaneous rigid body impact, ACM Transactions on Graphics 36 (2017) 151",
+        doi: Some("10.1145/3072959.3073689"),
+    }
+}
 
 /// A ball in a cluster.
 #[derive(Clone, Copy, Debug)]
