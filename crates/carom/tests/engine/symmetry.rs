@@ -140,6 +140,8 @@ fn scale_lengths(value: &mut Value, factor: f64) {
             }
         }
         Value::Array(items) => items.iter_mut().for_each(|item| scale_lengths(item, factor)),
+        // Lengths are written as floats, 2.0; a whole number is a count.
+        Value::Number(number) if number.is_u64() => {}
         other => scale(other, factor),
     }
 }

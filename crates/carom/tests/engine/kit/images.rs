@@ -3,6 +3,8 @@
 use super::bits;
 use super::random::Random;
 use carom::flight::State;
+use carom::geometry::{Piece, Segment};
+use carom::model::{self, Cushion};
 use carom::run::{Event, Run, Status};
 use carom::scenario::Scenario;
 use carom::scenario::schema::Table;
@@ -20,15 +22,11 @@ fn named(scenario: &Scenario) -> Value {
         }
     };
     let table = value["table"].as_object_mut().unwrap();
-    if let Table::Rectangle { width, length, .. } = scenario.table {
-        // As a path, so that its cushions can be numbered otherwise too.
-        let corners = [[0.0, 0.0], [width, 0.0], [width, length], [0.0, length]];
-        let piece = |(k, id): (usize, &str)| json!({ "id": id, "line": [corners[k], corners[(k + 1) % 4]] });
-        let pieces: Vec<Value> =
-            ["bottom", "right", "top", "left"].into_iter().enumerate().map(piece).collect();
+    if !matches!(scenario.table, Table::Circle { .. } | Table::Path { .. }) {
+        // As a path, so that its cushions can be numbered otherwise and mirrored too.
         let obstacles = table.get("obstacles").cloned().unwrap_or_else(|| json!([]));
-        *table =
-            json!({ "shape": "path", "pieces": pieces, "obstacles": obstacles }).as_object().unwrap().clone();
+        let path = json!({ "shape": "path", "pieces": lines_of(&scenario.table), "obstacles": obstacles });
+        *table = path.as_object().unwrap().clone();
     }
     if let Some(pieces) = table.get_mut("pieces") {
         name(pieces, "");
@@ -37,6 +35,18 @@ fn named(scenario: &Scenario) -> Value {
         name(obstacles, "obstacle");
     }
     value
+}
+
+/// The boundary of a table of straight cushions as the pieces of a path.
+fn lines_of(table: &Table) -> Vec<Value> {
+    let layout: model::Table<f64> = table.layout(&mut |_, value| value);
+    let line = |cushion: &Cushion<f64>| match &cushion.piece {
+        Piece::Line(Segment { start, end }) => {
+            json!({ "id": cushion.id, "line": [start.to_f64(), end.to_f64()] })
+        }
+        Piece::Arc(_) => panic!("say how this shape is written as a path"),
+    };
+    layout.outlines[0].cushions.iter().map(line).collect()
 }
 
 fn name_path(obstacle: &mut Value) {
