@@ -11,7 +11,7 @@ SCENARIOS := $(wildcard scenarios/*)
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build run test test-rust test-python lint lint-rust lint-python format bench digests wheel wheel-check floors clean
+.PHONY: help build run check-engine test test-rust test-python lint lint-rust lint-python format bench digests wheel wheel-check floors clean
 
 help: ## List these commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -22,6 +22,13 @@ run: build ## Run the exercise both ways into out/midterm/
 	@mkdir -p out/midterm
 	$(BIN)/carom run midterm --out out/midterm/exact --overwrite
 	$(BIN)/carom run midterm --method stepped --dt 0.03 --out out/midterm/stepped --overwrite
+
+check-engine: ## Check the engine while you work on it: format, lints, laws, scenarios, digests
+	@$(need_rust)
+	$(CARGO) fmt --all --check
+	$(CARGO) clippy --locked -p carom --all-targets -- -D warnings
+	$(CARGO) test --locked --quiet -p carom --lib --test arrows --test scenario --test digests
+	$(CARGO) test --locked --quiet -p carom --test engine -- laws references closed_forms
 
 test: test-rust test-python lint ## Run every test and lint
 
@@ -35,12 +42,12 @@ test-python: build ## Run the package's tests
 
 lint: lint-rust lint-python ## Check format, lints, types and stubs
 
-lint-rust:
+lint-rust: ## Check format and lints of the Rust code
 	@$(need_rust)
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
 
-lint-python: build
+lint-python: build ## Check format, lints, types and stubs of the Python code
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
