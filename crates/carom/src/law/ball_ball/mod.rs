@@ -50,7 +50,8 @@ impl<S: Scalar> Law<S> {
         }
     }
 
-    /// What a contact by itself does, with the coefficient of restitution that the engine has settled on.
+    /// What a contact by itself does, with this coefficient of restitution: the law's own, unless the balls hop on through
+    /// a collapse.
     #[inline(always)]
     pub fn impact(&self, pair: &Pair<S>, restitution: S) -> Impact<S> {
         match self {

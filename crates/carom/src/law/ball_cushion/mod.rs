@@ -41,19 +41,20 @@ impl<S: Scalar> Law<S> {
         }
     }
 
-    /// What a contact by itself does, with the coefficient of restitution that the engine has settled on.
+    /// What a contact by itself does, with this coefficient of restitution: the law's own, unless the ball hops on through
+    /// a collapse or has no room to bounce.
     #[inline(always)]
-    pub fn rebound(&self, velocity: Vec2<S>, (normal, scale): (Vec2<S>, S), restitution: S) -> Rebound<S> {
+    pub fn rebound(&self, velocity: Vec2<S>, normal: (Vec2<S>, S), restitution: S) -> Rebound<S> {
         match self {
-            Self::Restitution(law) => law.rebound(velocity, (normal, scale), restitution),
+            Self::Restitution(law) => law.rebound(velocity, normal, restitution),
         }
     }
 
     /// What the law does along the cushion, where a cluster has seen to the normal part: the velocity after it, none if
     /// it does nothing.
-    pub fn slide(&self, velocity: Vec2<S>, (normal, scale): (Vec2<S>, S)) -> Option<Vec2<S>> {
+    pub fn slide(&self, velocity: Vec2<S>, normal: (Vec2<S>, S)) -> Option<Vec2<S>> {
         match self {
-            Self::Restitution(law) => law.slide(velocity, (normal, scale)),
+            Self::Restitution(law) => law.slide(velocity, normal),
         }
     }
 
