@@ -11,8 +11,8 @@ SCENARIOS := $(wildcard scenarios/*)
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build run test test-rust test-python lint lint-rust lint-python format docs licences third-party bench
-.PHONY: digests wheel wheel-check floors clean
+.PHONY: help build run check-engine test test-rust test-python lint lint-rust lint-python format docs licences
+.PHONY: third-party bench digests wheel wheel-check floors clean
 
 help: ## List these commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -23,6 +23,13 @@ run: build ## Run the exercise both ways into out/midterm/
 	@mkdir -p out/midterm
 	$(BIN)/carom run midterm --out out/midterm/exact --overwrite
 	$(BIN)/carom run midterm --method stepped --dt 0.03 --out out/midterm/stepped --overwrite
+
+check-engine: ## Check the engine while you work on it: format, lints, laws, scenarios, digests
+	@$(need_rust)
+	$(CARGO) fmt --all --check
+	$(CARGO) clippy --locked -p carom --all-targets -- -D warnings
+	$(CARGO) test --locked --quiet -p carom --lib --test arrows --test scenario --test digests
+	$(CARGO) test --locked --quiet -p carom --test engine -- laws references closed_forms
 
 test: test-rust test-python lint docs ## Run every test and lint, and build the site
 

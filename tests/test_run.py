@@ -42,6 +42,17 @@ def test_a_simulation_goes_to_a_time_that_is_one_and_lies_ahead(midterm: carom.S
     assert (simulation.status, simulation.time) == ("time_limit", 5.0)
 
 
+def test_references_are_those_of_the_laws_that_acted(midterm: carom.Scenario, run: carom.Run) -> None:
+    assert [reference.law for reference in run.references] == ["ball_ball.restitution", "ball_cushion.restitution"]
+    assert midterm.run(duration=1e-3).references == []
+    stepped = midterm.run(method=carom.Stepped(dt=0.03))
+    assert (stepped.references[-1].law, stepped.references[-1].doi) == ("method.stepped", None)
+    cradle = carom.load("newtons_cradle").run()
+    dois = {reference.doi for reference in cradle.references if reference.law == "cluster.reflections"}
+    assert dois == {"10.1145/2185520.2185602", "10.1145/3072959.3073689"}
+    assert carom.Run(cradle._native).references == cradle.references
+
+
 def test_arrays_have_time_ball_and_axis(run: carom.Run) -> None:
     times = np.linspace(0, 5, 7)
     assert run.positions(times).shape == run.velocities(times).shape == (7, 2, 2)

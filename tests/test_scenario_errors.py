@@ -42,6 +42,13 @@ def test_unknown_key_names_the_nearest_known_one() -> None:
         carom.Scenario.from_dict(values)
 
 
+def test_text_nested_without_end_is_refused() -> None:
+    nested = "[" * 1_000_000
+    for read, text in ((carom.Scenario.from_toml, f"balls = {nested}"), (carom.Scenario.from_json, nested)):
+        with pytest.raises(carom.ScenarioError, match=r"line 1, column \d+: .*(recurs)"):
+            read(text)
+
+
 def test_overlapping_balls_are_named() -> None:
     with pytest.raises(carom.ScenarioError, match=r"a.*b|b.*a"):
         carom.Scenario(TABLE, [_ball("a"), _ball("b", position=(0.55, 0.5))], duration=1)

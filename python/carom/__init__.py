@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from carom.library import scenarios
     from carom.method import Exact, Stepped
     from carom.physics import Damping, Elastic, Field, Free, Physics, Restitution
-    from carom.run import Run, Verification, load_run
+    from carom.run import Reference, Run, Verification, load_run
     from carom.scenario import Scenario, load
     from carom.simulation import Candidate, Simulation
     from carom.table import Arc, Circle, Line, Path, Table, Wall
@@ -68,7 +68,7 @@ _HOMES = {
     "library": ["scenarios"],
     "method": ["Exact", "Stepped"],
     "physics": ["Damping", "Elastic", "Field", "Free", "Physics", "Restitution"],
-    "run": ["Run", "Verification", "load_run"],
+    "run": ["Reference", "Run", "Verification", "load_run"],
     "scenario": ["Scenario", "load"],
     "simulation": ["Candidate", "Simulation"],
     "table": ["Arc", "Circle", "Line", "Path", "Table", "Wall"],
@@ -94,6 +94,7 @@ __all__ = [
     "MissingExtraError",
     "Path",
     "Physics",
+    "Reference",
     "Restitution",
     "Run",
     "RunComparison",

@@ -51,6 +51,25 @@ class Verification:
         return self.same
 
 
+@dataclass(frozen=True)
+class Reference:
+    """A source of a law that a run used: what to cite for it.
+
+    Attributes
+    ----------
+    law : str
+        The law, as kind and name: ``ball_cushion.restitution``, ``cluster.reflections``, ``method.stepped``.
+    text : str
+        Authors, title, where and when.
+    doi : str or None
+        Its DOI, where it has one.
+    """
+
+    law: str
+    text: str
+    doi: str | None
+
+
 class Run:
     """A computed run; it compares, copies and pickles.
 
@@ -120,6 +139,20 @@ class Run:
         """
         found: dict[str, Any] = json.loads(self._native.diagnostics())
         return found
+
+    @cached_property
+    def references(self) -> list[Reference]:
+        """The sources of the laws that acted: of a cushion's law where a ball hit that cushion, and so on.
+
+        A run that kept no events does not know which cushions were hit; then the laws of all of them count.
+
+        Examples
+        --------
+        >>> import carom
+        >>> [reference.law for reference in carom.load("midterm").run().references]
+        ['ball_ball.restitution', 'ball_cushion.restitution']
+        """
+        return [Reference(**source) for source in json.loads(self._native.references())]
 
     @cached_property
     def steps(self) -> ColumnTable | None:

@@ -152,6 +152,11 @@ impl Run {
         Ok(found.to_string())
     }
 
+    /// The sources of the laws that acted, as JSON text.
+    fn references(&self) -> PyResult<String> {
+        serde_json::to_string(&self.run.references()).map_err(|error| run_error(&error.to_string()))
+    }
+
     /// The one longer run, up to new limits.
     fn resume(&self, py: Python<'_>, options_json: &str) -> PyResult<Self> {
         let version = self.run.physics_version;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -184,6 +185,7 @@ def _print_json(run: Run, facts: dict[str, Any]) -> None:
             "digest": run.digest,
             "physics_version": run.physics_version,
             "diagnostics": run.diagnostics,
+            "references": [asdict(reference) for reference in run.references],
             "record": run.record,
             "events": None if events is None else rows,
             **facts,

@@ -61,6 +61,7 @@ def report_html(
             "Method": method_rows(scenario),
             "Limits": limit_rows(scenario),
         },
+        references=run.references,
         balls=ball_table(scenario),
         scenario_text=text if len(text) <= LONGEST_TEXT else "",
         events=event_table(run),

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from carom.colours import ball_colours
-from carom.report import words
 from carom.report.rows import Row
 from carom.report.text import column, counted, exact, listed, point, short, with_unit
+from carom.report.words import choices
 from carom.units import unit_of
 
 if TYPE_CHECKING:
@@ -94,13 +94,13 @@ def law_rows(scenario: Scenario) -> list[Row]:
     """Give the laws of motion and of contact, those that the scenario leaves out too."""
     physics: Values = scenario.to_dict().get("physics", {})
     elastic = {"law": "elastic"}
-    rows = [_law_row("between events", physics.get("flight", {"law": "free"}), words.FLIGHTS, scenario.units)]
-    rows += [_law_row("two balls", physics.get("ball_ball", elastic), words.BALL_LAWS)]
-    rows += [_law_row("ball and cushion", physics.get("ball_cushion", elastic), words.CUSHION_LAWS)]
-    rows += [_law_row(f"at {name}", law, words.CUSHION_LAWS) for name, law in physics.get("cushions", {}).items()]
+    rows = [_law_row("between events", physics.get("flight", {"law": "free"}), choices("Flight"), scenario.units)]
+    rows += [_law_row("two balls", physics.get("ball_ball", elastic), choices("BallBall"))]
+    rows += [_law_row("ball and cushion", physics.get("ball_cushion", elastic), choices("BallCushion"))]
+    rows += [_law_row(f"at {name}", law, choices("BallCushion")) for name, law in physics.get("cushions", {}).items()]
     for name, key, meanings in (
-        ("several at once", "cluster", words.CLUSTERS),
-        ("without end", "collapse", words.COLLAPSES),
+        ("several at once", "cluster", choices("Cluster")),
+        ("without end", "collapse", choices("Collapse")),
     ):
         word = physics.get(key, next(iter(meanings)))
         rows.append(Row(name, word, meanings.get(word, "")))
@@ -119,13 +119,17 @@ def _law_row(name: str, law: Values, meanings: Mapping[str, str], units: Mapping
 def method_rows(scenario: Scenario) -> list[Row]:
     """Give the method, and how it reads what can be read in several ways."""
     method: Values = scenario.to_dict().get("method", {"kind": "exact"})
-    rows = [Row("method", method["kind"], words.METHODS.get(method["kind"], ""))]
+    rows = [Row("method", method["kind"], choices("Method")[method["kind"]])]
     if method["kind"] != "stepped":
         return rows
     rows.append(Row("time step", with_unit(short(method["dt"]), scenario.units.get("time"))))
     if "steps" in method:
         rows.append(Row("steps", exact(method["steps"])))
-    for key, meanings in words.READINGS.items():
+    for key, meanings in (
+        ("after_hit", choices("AfterHit")),
+        ("normal", choices("NormalTaken")),
+        ("last_step", choices("LastStep")),
+    ):
         word = method.get(key, next(iter(meanings)))
         rows.append(Row(key.replace("_", " "), word, meanings.get(word, "")))
     return rows
@@ -146,4 +150,4 @@ def limit_rows(scenario: Scenario) -> list[Row]:
     elif "collisions" not in values:
         rows.append(Row("most events", exact(DEFAULT_EVENTS), "the default"))
     record = values.get("record", "all")
-    return [*rows, Row("record", record, words.RECORDS.get(record, ""))]
+    return [*rows, Row("record", record, choices("Record")[record])]

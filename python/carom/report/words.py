@@ -1,6 +1,12 @@
-"""What statuses, diagnostics and laws mean, in a few words each."""
+"""What statuses, events, diagnostics and laws mean, in a few words each."""
 
 from __future__ import annotations
+
+import json
+from functools import cache
+from typing import Any
+
+from carom import _engine
 
 STATUSES = {
     "time_limit": "Ran to its time limit",
@@ -56,49 +62,25 @@ QUANTITIES = {
 }
 """What some of them are measured in."""
 
-FLIGHTS = {
-    "free": "straight ahead at constant velocity",
-    "field": "with the same constant acceleration for all balls",
-}
-BALL_LAWS = {
-    "elastic": "the closing speed is reversed; no energy is lost",
-    "restitution": "the balls part at this fraction of their closing speed",
-}
-CUSHION_LAWS = {
-    "elastic": "as light by a mirror; no energy is lost",
-    "restitution": "the speeds along the normal and along the cushion are multiplied by these factors",
-    "damping": "the mirrored velocity times the factor",
-}
-CLUSTERS = {
-    "reflections": "contacts at one instant are resolved together",
-    "pairwise": "contacts at one instant are resolved one after the other",
-}
-COLLAPSES = {
-    "stop": "contacts without end in a finite time end the run",
-    "tc": "contacts that follow each other too fast lose no energy",
-}
-METHODS = {
-    "exact": "from event to event, without a time step",
-    "stepped": "the fixed-step scheme of programming courses",
-}
-READINGS = {
-    "after_hit": {
-        "wait": "a ball that hit something waits there for the end of the step",
-        "restart": "all balls stop at the earliest hit, and a new step begins",
-    },
-    "normal": {
-        "before": "taken before the balls move to their contact",
-        "contact": "taken at the contact",
-    },
-    "last_step": {
-        "short": "ends exactly at the duration",
-        "full": "a full one, which may end past the duration",
-    },
-}
-"""The readings of the stepped scheme, each with its default first."""
 
-RECORDS = {
-    "all": "events and flights, so that the state at any time can be asked for",
-    "events": "events only",
-    "none": "the end and the diagnostics only",
-}
+@cache
+def choices(kind: str) -> dict[str, str]:
+    """Give what may be chosen of a kind in the schema, each with the first sentence said of it, the default first.
+
+    Examples
+    --------
+    >>> choices("BallBall")["elastic"]
+    'The closing speed is reversed; no energy is lost.'
+    """
+    found = json.loads(_engine.schema())["$defs"][kind]["oneOf"]
+    return {_word(choice): _first_sentence(choice["description"]) for choice in found}
+
+
+def _word(choice: dict[str, Any]) -> str:
+    """Give the word of a choice: its own, or that of its key ``law`` or ``kind``."""
+    named: dict[str, Any] = choice.get("properties", {})
+    return str(choice["const"] if "const" in choice else named.get("law", named.get("kind"))["const"])
+
+
+def _first_sentence(text: str) -> str:
+    return text.replace("\n", " ").replace("`", "").split(". ")[0].rstrip(".") + "."

@@ -177,9 +177,9 @@ impl<S: Scalar> Discs<S> {
 
     /// The law of a cushion for a ball now: without loss in a burst of contacts, if the scenario says so.
     #[inline(always)]
-    pub(super) fn cushion_law(&self, ball: usize, cushion: u32, time: S) -> ball_cushion::Restitution<S> {
+    pub(super) fn cushion_law(&self, ball: usize, cushion: u32, time: S) -> ball_cushion::Law<S> {
         if self.is_in_burst(ball, time) {
-            ball_cushion::Restitution::ELASTIC
+            ball_cushion::Law::ELASTIC
         } else {
             self.system.cushion_laws[cushion as usize]
         }
@@ -187,9 +187,9 @@ impl<S: Scalar> Discs<S> {
 
     /// The law between two balls now.
     #[inline(always)]
-    pub(super) fn ball_law(&self, a: usize, b: usize, time: S) -> ball_ball::Restitution<S> {
+    pub(super) fn ball_law(&self, a: usize, b: usize, time: S) -> ball_ball::Law<S> {
         if self.is_in_burst(a, time) || self.is_in_burst(b, time) {
-            ball_ball::Restitution::ELASTIC
+            ball_ball::Law::ELASTIC
         } else {
             self.system.ball_ball
         }

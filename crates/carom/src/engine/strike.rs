@@ -10,9 +10,9 @@ use super::queue::Target;
 use crate::detect::cushion_gap;
 use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
-use crate::law::ball_ball::Pair;
+use crate::law::ball_ball::{Impact, Pair};
 use crate::law::ball_cushion::Rebound;
-use crate::law::restitution_keeping;
+use crate::law::collapse::restitution_keeping;
 use crate::model::{Disc, closing_threshold};
 use crate::run::{Event, Kind, Observer};
 use crate::scalar::Scalar;
@@ -39,8 +39,7 @@ struct Collision<S> {
     discs: [Disc<S>; 2],
     before: [State<S>; 2],
     pair: Pair<S>,
-    impulse: S,
-    energy_loss: S,
+    impact: Impact<S>,
 }
 
 impl<S: Scalar> Discs<S> {
@@ -77,10 +76,11 @@ impl<S: Scalar> Discs<S> {
         let before = self.state_after(&self.balls[ball].flight, offset);
         let face = &self.system.faces.all[cushion as usize];
         let (normal, normal_scale) = face.normal_at(before.position);
-        let mut law = self.cushion_law(ball, cushion, time);
+        let law = self.cushion_law(ball, cushion, time);
         let closing_speed = -before.velocity.dot(normal);
-        law.normal = restitution_keeping(law.normal, self.kept_speed(ball, None), closing_speed);
-        let rebound = law.rebound(before.velocity, normal, normal_scale);
+        let (own, kept_speed) = (law.restitution(closing_speed), self.kept_speed(ball, None));
+        let restitution = restitution_keeping(own, kept_speed, closing_speed);
+        let rebound = law.rebound(before.velocity, (normal, normal_scale), restitution);
         let (mass, point) = (self.balls[ball].disc.mass, face.foot(before.position));
         Bounce { ball, cushion, time, mass, before, point, normal, normal_scale, rebound }
     }
@@ -168,19 +168,12 @@ impl<S: Scalar> Discs<S> {
         });
         let separation = before[1].position - before[0].position;
         let pair = Pair::new([&a.disc, &b.disc], separation, before.map(|state| state.velocity));
-        let mut law = self.ball_law(balls[0], balls[1], time);
+        let law = self.ball_law(balls[0], balls[1], time);
         let kept_speed = self.kept_speed(balls[0], Some(balls[1]));
-        law.normal = restitution_keeping(law.normal, kept_speed, pair.closing_speed);
-        Collision {
-            balls,
-            time,
-            start,
-            discs: [a.disc, b.disc],
-            before,
-            impulse: law.impulse(&pair),
-            energy_loss: law.energy_loss(&pair),
-            pair,
-        }
+        let own = law.restitution(pair.closing_speed);
+        let restitution = restitution_keeping(own, kept_speed, pair.closing_speed);
+        let impact = law.impact(&pair, restitution);
+        Collision { balls, time, start, discs: [a.disc, b.disc], before, pair, impact }
     }
 
     /// The same in a field, between thin walls, or with something else in touch.
@@ -225,7 +218,7 @@ impl<S: Scalar> Discs<S> {
             momentum = momentum + (after - before) * mass;
         }
         let error = momentum.x.abs() + momentum.y.abs();
-        self.diagnostics.account((change * S::from_f64(0.5)).to_f64(), collision.energy_loss.to_f64());
+        self.diagnostics.account((change * S::from_f64(0.5)).to_f64(), collision.impact.energy_loss.to_f64());
         self.diagnostics.momentum_error = self.diagnostics.momentum_error.max(error.to_f64());
     }
 
@@ -285,7 +278,7 @@ impl<S: Scalar> Bounce<S> {
 impl<S: Scalar> Collision<S> {
     #[inline(always)]
     fn after(&self) -> [State<S>; 2] {
-        let [a, b] = self.discs.map(|disc| self.pair.normal * (self.impulse * disc.inverse_mass));
+        let [a, b] = self.discs.map(|disc| self.pair.normal * (self.impact.impulse * disc.inverse_mass));
         let state =
             |State { position, velocity }: State<S>, change| State { position, velocity: velocity + change };
         [state(self.before[0], -a), state(self.before[1], b)]
@@ -303,7 +296,7 @@ impl<S: Scalar> Collision<S> {
             point: self.before[0].position + self.pair.normal * self.discs[0].radius,
             normal: self.pair.normal,
             closing_speed: self.pair.closing_speed,
-            impulse: self.impulse,
+            impulse: self.impact.impulse,
             cluster: None,
         }
     }

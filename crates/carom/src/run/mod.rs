@@ -5,6 +5,7 @@ mod digest;
 mod event;
 mod file;
 mod observer;
+mod references;
 mod state;
 mod status;
 mod steps;

@@ -2,6 +2,7 @@
 
 use super::event::Kind;
 use crate::flight::State;
+use crate::law::Reference;
 use crate::scalar::Scalar;
 
 /// A ball's hit in a step.
@@ -36,6 +37,13 @@ pub struct Steps<S> {
 }
 
 impl<S: Scalar> Steps<S> {
+    /// The source of the method.
+    pub const REFERENCES: &[Reference] = &[Reference {
+        law: "method.stepped",
+        text: "The two-ball exercise of first programming courses: time steps, each shortened to a contact",
+        doi: None,
+    }];
+
     /// Position and velocity of each ball at a time within the run; at a hit's own time, those after it.
     pub fn state(&self, time: S) -> Vec<State<S>> {
         let later = self.steps.partition_point(|step| step.time <= time).max(1);

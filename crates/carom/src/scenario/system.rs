@@ -22,7 +22,7 @@ pub struct System<S> {
     /// The faces of cushions and corners.
     pub faces: Faces<S>,
     /// The law of each.
-    pub cushion_laws: Vec<ball_cushion::Restitution<S>>,
+    pub cushion_laws: Vec<ball_cushion::Law<S>>,
     /// For each, the face on the other side of a thin wall.
     pub backs: Vec<Option<u32>>,
     /// Whether any has one.
@@ -30,9 +30,9 @@ pub struct System<S> {
     /// The constant acceleration of every ball that is not held.
     pub field: Vec2<S>,
     /// The law between balls.
-    pub ball_ball: ball_ball::Restitution<S>,
+    pub ball_ball: ball_ball::Law<S>,
     /// Whether no law takes any energy.
-    pub is_elastic: bool,
+    pub is_lossless: bool,
     /// The law of several contacts at one instant.
     pub cluster: Cluster,
     /// For each ball the time t_c within which contacts count as following each other too fast.
@@ -73,7 +73,7 @@ impl<S: Scalar> System<S> {
     pub fn with(scenario: &Scenario, number: Number<'_, S>) -> Self {
         let table = scenario.table.layout(number);
         let laws = CushionLaws::new(&scenario.physics, number);
-        let corner_law = |corner: &crate::model::Corner<S>, cushions: &[ball_cushion::Restitution<S>]| {
+        let corner_law = |corner: &crate::model::Corner<S>, cushions: &[ball_cushion::Law<S>]| {
             laws.own(&corner.id).unwrap_or(cushions[corner.cushions[0]])
         };
         let mut cushion_laws: Vec<_> = table.cushions().map(|c| laws.of(&c.id)).collect();
@@ -92,8 +92,7 @@ impl<S: Scalar> System<S> {
             collapse_times: collapse_times(&discs, &flights, field, table.size()),
             collapse_is_elastic: scenario.physics.collapse == Collapse::Tc,
             has_backs: backs.iter().any(Option::is_some),
-            is_elastic: ball_ball == ball_ball::Restitution::ELASTIC
-                && cushion_laws.iter().all(|law| *law == ball_cushion::Restitution::ELASTIC),
+            is_lossless: ball_ball.is_lossless() && cushion_laws.iter().all(ball_cushion::Law::is_lossless),
             ball_ball,
             cluster: scenario.physics.cluster,
             duration: scenario.duration.map(|value| number(&"duration", value)),
@@ -116,8 +115,8 @@ fn flight<S: Scalar>(start: &BallStart<S>, field: Vec2<S>) -> Flight<S> {
 
 /// The laws of cushions: each cushion's own, or the one for all.
 struct CushionLaws<S> {
-    for_all: ball_cushion::Restitution<S>,
-    own: Vec<(String, ball_cushion::Restitution<S>)>,
+    for_all: ball_cushion::Law<S>,
+    own: Vec<(String, ball_cushion::Law<S>)>,
 }
 
 impl<S: Scalar> CushionLaws<S> {
@@ -131,39 +130,43 @@ impl<S: Scalar> CushionLaws<S> {
         }
     }
 
-    fn own(&self, id: &str) -> Option<ball_cushion::Restitution<S>> {
+    fn own(&self, id: &str) -> Option<ball_cushion::Law<S>> {
         self.own.iter().find(|(own, _)| own == id).map(|(_, law)| *law)
     }
 
-    fn of(&self, id: &str) -> ball_cushion::Restitution<S> {
+    fn of(&self, id: &str) -> ball_cushion::Law<S> {
         self.own(id).unwrap_or(self.for_all)
     }
 }
 
-fn cushion_law<S: Scalar>(
+/// The law that a scenario has at a place.
+pub(super) fn cushion_law<S: Scalar>(
     place: &str,
     law: &schema::BallCushion,
     number: Number<'_, S>,
-) -> ball_cushion::Restitution<S> {
+) -> ball_cushion::Law<S> {
+    let mut parameter = |key: &str, value: f64| number(&format_args!("{place}.{key}"), value);
     match law {
-        schema::BallCushion::Elastic => ball_cushion::Restitution::ELASTIC,
-        schema::BallCushion::Restitution { normal, tangential } => ball_cushion::Restitution {
-            normal: number(&format_args!("{place}.normal"), *normal),
-            tangential: number(&format_args!("{place}.tangential"), *tangential),
-        },
+        schema::BallCushion::Elastic => ball_cushion::Law::ELASTIC,
+        schema::BallCushion::Restitution { normal, tangential } => {
+            ball_cushion::Law::Restitution(ball_cushion::Restitution {
+                normal: parameter("normal", *normal),
+                tangential: parameter("tangential", *tangential),
+            })
+        }
         schema::BallCushion::Damping { factor } => {
-            let factor = number(&format_args!("{place}.factor"), *factor);
-            ball_cushion::Restitution { normal: factor, tangential: factor }
+            let factor = parameter("factor", *factor);
+            ball_cushion::Law::Restitution(ball_cushion::Restitution { normal: factor, tangential: factor })
         }
     }
 }
 
-fn ball_ball_law<S: Scalar>(law: &schema::BallBall, number: Number<'_, S>) -> ball_ball::Restitution<S> {
+fn ball_ball_law<S: Scalar>(law: &schema::BallBall, number: Number<'_, S>) -> ball_ball::Law<S> {
     match law {
-        schema::BallBall::Elastic => ball_ball::Restitution::ELASTIC,
-        schema::BallBall::Restitution { normal } => {
-            ball_ball::Restitution { normal: number(&"physics.ball_ball.normal", *normal) }
-        }
+        schema::BallBall::Elastic => ball_ball::Law::ELASTIC,
+        schema::BallBall::Restitution { normal } => ball_ball::Law::Restitution(ball_ball::Restitution {
+            normal: number(&"physics.ball_ball.normal", *normal),
+        }),
     }
 }
 

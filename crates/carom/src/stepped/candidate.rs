@@ -12,7 +12,7 @@ pub struct Walls<S> {
     /// Width and length.
     pub size: [S; 2],
     /// The law of each wall.
-    pub laws: [ball_cushion::Restitution<S>; 4],
+    pub laws: [ball_cushion::Law<S>; 4],
 }
 
 /// What a candidate is about.

@@ -12,7 +12,6 @@ mod candidate;
 use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::ball_ball::{self, Pair};
-use crate::law::ball_cushion;
 use crate::model::Disc;
 use crate::run::{Diagnostics, Event, Hit, Kind, Log, Observer, Run, Status, Step, Steps, Track};
 use crate::scalar::Scalar;
@@ -190,8 +189,9 @@ impl<S: Scalar> Scheme<S> {
         let State { position, velocity } = self.balls[ball];
         let position = position + velocity * after;
         let normal = self.walls.normal(wall);
-        let law: ball_cushion::Restitution<S> = self.walls.laws[wall];
-        let rebound = law.rebound(velocity, normal, S::ONE);
+        let law = self.walls.laws[wall];
+        let restitution = law.restitution(-velocity.dot(normal));
+        let rebound = law.rebound(velocity, (normal, S::ONE), restitution);
         self.balls[ball] = State { position, velocity: rebound.velocity };
         self.diagnostics.energy_loss += (disc.mass * rebound.energy_loss).to_f64();
         Event {
@@ -218,7 +218,7 @@ impl<S: Scalar> Scheme<S> {
             NormalTaken::Contact => contact[1] - contact[0],
         };
         let pair = Pair::new([&discs[0], &discs[1]], separation, velocities);
-        let impulse = ball_ball::Restitution::ELASTIC.impulse(&pair);
+        let impulse = ball_ball::Law::ELASTIC.impact(&pair, S::ONE).impulse;
         let change = |k: usize| pair.normal * (impulse * discs[k].inverse_mass);
         self.balls[a] = State { position: contact[0], velocity: velocities[0] - change(0) };
         self.balls[b] = State { position: contact[1], velocity: velocities[1] + change(1) };

@@ -1,134 +1,14 @@
 //! A run does not depend on numbers and units: renumbering gives the same bits, powers of two give the same bits scaled,
 //! and mirrors, other units and the reversal of time give the same motion up to round-off and its growth.
 
+use crate::kit::images::{assert_renumbering_changes_nothing, distance, mirrored, reflect_state};
 use crate::kit::random::Random;
-use crate::kit::scenes::{Ball, ball, polygon, rack, random_balls, rectangle, scenario, tables};
+use crate::kit::scenes::{Ball, ball, grid_balls, polygon, rack, random_balls, rectangle, scenario, tables};
 use crate::kit::{bits, bundled, scenario_files};
 use carom::flight::State;
-use carom::run::{Event, Run, Status};
 use carom::scenario::Scenario;
-use carom::scenario::schema::Table;
 use carom::simulate::simulate;
 use serde_json::{Value, json};
-
-/// A scenario as JSON in which every piece and obstacle has a name of its own, so that it may be moved.
-fn named(scenario: &Scenario) -> Value {
-    let mut value: Value = serde_json::from_str(&scenario.to_json().unwrap()).unwrap();
-    let name = |list: &mut Value, prefix: &str| {
-        for (k, item) in list.as_array_mut().into_iter().flatten().enumerate() {
-            let id = item.get("id").cloned().unwrap_or_else(|| format!("{prefix}{k}").into());
-            item["id"] = id;
-            name_path(item);
-        }
-    };
-    let table = value["table"].as_object_mut().unwrap();
-    if let Table::Rectangle { width, length, .. } = scenario.table {
-        // As a path, so that its cushions can be numbered otherwise too.
-        let corners = [[0.0, 0.0], [width, 0.0], [width, length], [0.0, length]];
-        let piece = |(k, id): (usize, &str)| json!({ "id": id, "line": [corners[k], corners[(k + 1) % 4]] });
-        let pieces: Vec<Value> =
-            ["bottom", "right", "top", "left"].into_iter().enumerate().map(piece).collect();
-        let obstacles = table.get("obstacles").cloned().unwrap_or_else(|| json!([]));
-        *table =
-            json!({ "shape": "path", "pieces": pieces, "obstacles": obstacles }).as_object().unwrap().clone();
-    }
-    if let Some(pieces) = table.get_mut("pieces") {
-        name(pieces, "");
-    }
-    if let Some(obstacles) = table.get_mut("obstacles") {
-        name(obstacles, "obstacle");
-    }
-    value
-}
-
-fn name_path(obstacle: &mut Value) {
-    for (k, piece) in obstacle.get_mut("path").and_then(Value::as_array_mut).into_iter().flatten().enumerate()
-    {
-        if piece.get("id").is_none() {
-            piece["id"] = k.to_string().into();
-        }
-    }
-}
-
-/// The same scenario with balls, obstacles and the pieces of paths in another order.
-fn renumbered(named: &Value, random: &mut Random) -> Value {
-    let mut value = named.clone();
-    shuffle(&mut value["balls"], random);
-    if let Some(obstacles) = value["table"].get_mut("obstacles") {
-        shuffle(obstacles, random);
-        for obstacle in obstacles.as_array_mut().unwrap() {
-            if let Some(path) = obstacle.get_mut("path") {
-                rotate(path, random);
-            }
-        }
-    }
-    if let Some(pieces) = value["table"].get_mut("pieces") {
-        rotate(pieces, random);
-    }
-    value
-}
-
-fn shuffle(list: &mut Value, random: &mut Random) {
-    let items = list.as_array().unwrap();
-    *list = random.permutation(items.len()).into_iter().map(|k| items[k].clone()).collect();
-}
-
-fn rotate(pieces: &mut Value, random: &mut Random) {
-    let pieces = pieces.as_array_mut().unwrap();
-    let by = random.below(pieces.len());
-    pieces.rotate_left(by);
-}
-
-/// Time, kind, names, numbers, and whether it was in a cluster.
-type Row = (u64, String, Vec<String>, Vec<u64>, bool);
-
-/// An event without the numbers of its participants: bits and names, the first ball being the one whose name comes first.
-fn row(run: &Run<f64>, event: &Event<f64>) -> Row {
-    let name = |ball: u32| run.system.ball_ids[ball as usize].clone();
-    let mut names = vec![name(event.ball_a)];
-    let mut normal = event.normal;
-    if let Some(other) = event.ball_b.map(name) {
-        if other < names[0] {
-            (normal.x, normal.y) = (-normal.x, -normal.y);
-            names.insert(0, other);
-        } else {
-            names.push(other);
-        }
-    }
-    names.extend(event.cushion.map(|cushion| run.system.cushion_ids[cushion as usize].clone()));
-    let numbers = [normal.x, normal.y, event.closing_speed, event.impulse];
-    let numbers = numbers.map(|number| (number + 0.0).to_bits()).to_vec();
-    (event.time.to_bits(), event.kind.name().to_owned(), names, numbers, event.cluster.is_some())
-}
-
-/// All events, in order of time and then of names.
-fn rows(run: &Run<f64>) -> Vec<Row> {
-    let mut rows: Vec<_> = run.log.events.iter().map(|event| row(run, event)).collect();
-    rows.sort();
-    rows
-}
-
-fn run_of(value: &Value) -> Run<f64> {
-    let scenario = Scenario::from_json(&value.to_string()).unwrap_or_else(|error| panic!("{error}"));
-    simulate(&scenario).unwrap_or_else(|error| panic!("{error}"))
-}
-
-/// Asserts that renumbering changes nothing; gives the number of clusters, so that a test can ask for some.
-fn assert_renumbering_changes_nothing(scenario: &Scenario, random: &mut Random, what: &str) -> u64 {
-    let value = named(scenario);
-    let run = run_of(&value);
-    let other = run_of(&renumbered(&value, random));
-    // Cut off by the budget of events, two runs may have made different ones of those that come at one time.
-    if run.status != Status::EventLimit {
-        assert_eq!((run.status, run.end_time.to_bits()), (other.status, other.end_time.to_bits()), "{what}");
-        assert_eq!(rows(&run), rows(&other), "{what}");
-        for (name, state) in run.system.ball_ids.iter().zip(run.final_state()) {
-            let place = other.system.ball_ids.iter().position(|id| id == name).unwrap();
-            assert_eq!(bits(&[state]), bits(&[other.final_state()[place]]), "{what}: ball {name}");
-        }
-    }
-    run.diagnostics.clusters
-}
 
 #[test]
 fn renumbering_balls_and_cushions_changes_no_bit() {
@@ -157,22 +37,10 @@ fn cluster_physics(number: u64) -> Value {
 
 #[test]
 fn renumbering_changes_no_bit_where_everything_happens_at_once() {
-    // Balls on a coarse grid with few velocities: exact ties, touching balls, shots into corners.
     let mut clusters = 0;
     for seed in 0..800 {
         let mut random = Random::new(seed);
-        let mut balls: Vec<Ball> = Vec::new();
-        for _ in 0..60 {
-            let position = [0, 1].map(|_| 0.125 * (1 + random.below(15)) as f64);
-            let velocity = [0, 1].map(|_| 0.5 * random.below(5) as f64 - 1.0);
-            let is_free = |b: &Ball| {
-                let [x, y] = [0, 1].map(|axis| b.position[axis] - position[axis]);
-                x * x + y * y >= 0.0625
-            };
-            if balls.len() < 7 && balls.iter().all(is_free) {
-                balls.push(ball(0.125, position, velocity));
-            }
-        }
+        let balls = grid_balls(&mut random);
         let mut scenario = scenario(&rectangle(2.0, 2.0), &cluster_physics(seed), &balls);
         (scenario.duration, scenario.max_events) = (Some(3.0), Some(3000));
         clusters += assert_renumbering_changes_nothing(&scenario, &mut random, &format!("seed {seed}"));
@@ -272,6 +140,8 @@ fn scale_lengths(value: &mut Value, factor: f64) {
             }
         }
         Value::Array(items) => items.iter_mut().for_each(|item| scale_lengths(item, factor)),
+        // Lengths are written as floats, 2.0; a whole number is a count.
+        Value::Number(number) if number.is_u64() => {}
         other => scale(other, factor),
     }
 }
@@ -346,14 +216,6 @@ fn units_that_are_powers_of_two_change_no_bit_but_the_exponents() {
     }
 }
 
-/// The largest distance of two states, the second in units of `length`.
-fn distance(one: &[State<f64>], two: &[State<f64>], length: f64) -> f64 {
-    let apart = |(State { position: a, .. }, State { position: b, .. }): (&State<f64>, &State<f64>)| {
-        libm::hypot(a.x - b.x / length, a.y - b.y / length)
-    };
-    one.iter().zip(two).map(apart).fold(0.0, f64::max)
-}
-
 #[test]
 fn other_units_and_mirrors_change_a_run_by_round_off_only() {
     for seed in 0..24 {
@@ -380,57 +242,6 @@ fn other_units_and_mirrors_change_a_run_by_round_off_only() {
             assert!(apart < tolerance, "seed {seed}, {name}: {apart:e} apart in the mirror {axis}");
         }
     }
-}
-
-fn reflect_state(mut state: State<f64>, axis: usize) -> State<f64> {
-    for vector in [&mut state.position, &mut state.velocity] {
-        let number = if axis == 0 { &mut vector.x } else { &mut vector.y };
-        *number = -*number;
-    }
-    state
-}
-
-/// The mirror image in an axis; pieces turn round, and come in the opposite order.
-fn mirrored(scenario: &Scenario, axis: usize) -> Scenario {
-    let mut value = named(scenario);
-    let flip = |point: &mut Value| point[axis] = json!(-point[axis].as_f64().unwrap());
-    for ball in value["balls"].as_array_mut().unwrap() {
-        flip(&mut ball["position"]);
-        flip(&mut ball["velocity"]);
-    }
-    let flip_path = |pieces: &mut Value| {
-        let pieces = pieces.as_array_mut().unwrap();
-        pieces.reverse();
-        for piece in pieces {
-            if let Some(line) = piece.get_mut("line") {
-                line.as_array_mut().unwrap().reverse();
-                line.as_array_mut().unwrap().iter_mut().for_each(flip);
-            }
-            if let Some(arc) = piece.get_mut("arc") {
-                flip(&mut arc["center"]);
-                let turn =
-                    |degrees: &Value| (if axis == 0 { 180.0 } else { 0.0 }) - degrees.as_f64().unwrap();
-                (arc["from_deg"], arc["to_deg"]) =
-                    (turn(&arc["to_deg"]).into(), turn(&arc["from_deg"]).into());
-            }
-        }
-    };
-    let table = &mut value["table"];
-    if let Some(pieces) = table.get_mut("pieces") {
-        flip_path(pieces);
-    }
-    for obstacle in table.get_mut("obstacles").and_then(Value::as_array_mut).into_iter().flatten() {
-        if let Some(circle) = obstacle.get_mut("circle") {
-            flip(&mut circle["center"]);
-        }
-        if let Some(wall) = obstacle.get_mut("wall") {
-            wall.as_array_mut().unwrap().iter_mut().for_each(flip);
-        }
-        if let Some(path) = obstacle.get_mut("path") {
-            flip_path(path);
-        }
-    }
-    Scenario::from_json(&value.to_string()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 #[test]

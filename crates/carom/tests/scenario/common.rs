@@ -1,6 +1,6 @@
 //! What the tests of scenarios share.
 
-use carom::scenario::Scenario;
+use carom::scenario::{Scenario, json_schema};
 
 /// The scenario that the tests break in one place at a time.
 pub const MIDTERM: &str = include_str!("../../../../scenarios/midterm.toml");
@@ -29,4 +29,11 @@ pub fn on_table(table: &str) -> Vec<String> {
 /// All problems of a unit square with these obstacles and a small ball at (0.5, 0.2).
 pub fn with_obstacles(obstacles: &str) -> Vec<String> {
     on_table(&format!("shape = 'rectangle'\nwidth = 1\nlength = 1\nobstacles = [{obstacles}]"))
+}
+
+/// The words between which a scenario chooses, in the order of the schema: `elastic, restitution`.
+pub fn choices(definition: &str, tag: &str) -> String {
+    let word = |choice: &serde_json::Value| choice["properties"][tag]["const"].as_str().unwrap().to_owned();
+    let choices = json_schema()["$defs"][definition]["oneOf"].as_array().unwrap();
+    choices.iter().map(word).collect::<Vec<_>>().join(", ")
 }

@@ -4,7 +4,7 @@ use super::{Contact, Member, is_same_direction};
 use crate::engine::Discs;
 use crate::geometry::Vec2;
 use crate::law::cluster::Body;
-use crate::law::restitution_keeping;
+use crate::law::collapse::restitution_keeping;
 use crate::run::Event;
 use crate::scalar::Scalar;
 
@@ -31,14 +31,16 @@ impl<S: Scalar> Discs<S> {
             let Some(place) = strongest(&body, contacts) else { return events };
             let contact = &contacts[place];
             let Some(cushion) = contact.cushion else { return events };
-            let mut law = self.cushion_law(member.ball, cushion, time);
+            let law = self.cushion_law(member.ball, cushion, time);
             let speed = body.velocity.dot(contact.normal);
-            law.normal = restitution_keeping(law.normal, self.kept_speed(member.ball, None), speed);
-            if contacts.iter().any(|c| is_same_direction(c.normal, -contact.normal)) {
-                law.normal = S::ZERO;
-            }
+            let has_room = !contacts.iter().any(|c| is_same_direction(c.normal, -contact.normal));
+            let restitution = if has_room {
+                restitution_keeping(law.restitution(speed), self.kept_speed(member.ball, None), speed)
+            } else {
+                S::ZERO
+            };
             let (normal, scale) = self.system.faces.all[cushion as usize].normal_at(member.position);
-            let rebound = law.rebound(body.velocity, normal, scale);
+            let rebound = law.rebound(body.velocity, (normal, scale), restitution);
             let mass = self.balls[member.ball].disc.mass;
             let impulse = (rebound.velocity - body.velocity).dot(normal) * scale * mass;
             let closing_speed = -rebound.normal_velocity;

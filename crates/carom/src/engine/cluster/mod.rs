@@ -88,7 +88,7 @@ impl<S: Scalar> Discs<S> {
         if change > 0.0 {
             self.diagnostics.energy_gain = self.diagnostics.energy_gain.max(change);
         }
-        let is_lossless = members.len() > 1 && self.system.is_elastic && !is_forced;
+        let is_lossless = members.len() > 1 && self.system.is_lossless && !is_forced;
         let loss = if is_lossless { 0.0 } else { -change };
         self.diagnostics.account(change, loss);
         if contacts.iter().all(|contact| contact.cushion.is_none()) {

@@ -2,7 +2,8 @@
 
 use super::{Contact, Member};
 use crate::engine::Discs;
-use crate::law::cluster::{Body, Passes, Touch, resolve_pairwise, resolve_reflections};
+use crate::law::ball_ball;
+use crate::law::cluster::{Body, Passes, Touch, TouchLaw, resolve_pairwise, resolve_reflections};
 use crate::run::Event;
 use crate::scalar::Scalar;
 use crate::scenario::schema::Cluster;
@@ -19,7 +20,7 @@ impl<S: Scalar> Discs<S> {
             members.iter().map(|m| Body::new(m.velocity, self.balls[m.ball].disc.inverse_mass)).collect();
         let mut touches: Vec<Touch<S>> = contacts.iter().map(|c| self.touch(c, members, time)).collect();
         self.resolve_normal(&mut bodies, &mut touches);
-        if self.scale_tangential(&mut bodies, &touches, contacts, members, time) {
+        if self.slide(&mut bodies, &touches, contacts, members, time) {
             self.resolve_normal(&mut bodies, &mut touches);
         }
         for (member, body) in members.iter_mut().zip(&mut bodies) {
@@ -50,17 +51,17 @@ impl<S: Scalar> Discs<S> {
     fn touch(&self, contact: &Contact<S>, members: &[Member<S>], time: S) -> Touch<S> {
         let (first, second) = contact.members;
         let (ball, other) = (members[first].ball, second.map(|second| members[second].ball));
-        let restitution = match (other, contact.cushion) {
-            (Some(other), _) => self.ball_law(ball, other, time).normal,
-            (None, Some(cushion)) => self.cushion_law(ball, cushion, time).normal,
-            (None, None) => S::ONE,
+        let law = match (other, contact.cushion) {
+            (Some(other), _) => TouchLaw::Balls(self.ball_law(ball, other, time)),
+            (None, Some(cushion)) => TouchLaw::Cushion(self.cushion_law(ball, cushion, time)),
+            (None, None) => TouchLaw::Balls(ball_ball::Law::ELASTIC),
         };
         let kept_speed = self.kept_speed(ball, other);
-        Touch { kept_speed, ..Touch::new(first, second, contact.normal, restitution) }
+        Touch { kept_speed, ..Touch::new(first, second, contact.normal, law) }
     }
 
-    /// Applies the tangential factors of the cushions that were hit; says whether any velocity changed.
-    fn scale_tangential(
+    /// Lets the laws of the cushions that were hit act along them; says whether any velocity changed.
+    fn slide(
         &self,
         bodies: &mut [Body<S>],
         touches: &[Touch<S>],
@@ -73,10 +74,10 @@ impl<S: Scalar> Discs<S> {
             let Some(cushion) = contact.cushion.filter(|_| touch.impulse > S::ZERO) else { continue };
             let member = &members[contact.members.0];
             let law = self.cushion_law(member.ball, cushion, time);
-            if law.tangential != S::ONE {
-                let (normal, scale) = self.system.faces.all[cushion as usize].normal_at(member.position);
-                let body = &mut bodies[contact.members.0];
-                body.turn(law.scale_tangential(body.velocity, normal, scale));
+            let normal = self.system.faces.all[cushion as usize].normal_at(member.position);
+            let body = &mut bodies[contact.members.0];
+            if let Some(velocity) = law.slide(body.velocity, normal) {
+                body.turn(velocity);
                 changed = true;
             }
         }

@@ -2,9 +2,17 @@
 //!
 //! `elastic` is e = β = 1; `damping` with one factor α, the law of the course exercise, is e = β = α. The energy lost is
 //! `½ m [(1 − e²) v_n² + (1 − β²) v_t²]`.
+//!
+//! Source: Newton (1687) for e; the factor β is the course exercise's.
 
+use super::Rebound;
 use crate::geometry::Vec2;
+use crate::law::Reference;
+use crate::law::reference::newton;
 use crate::scalar::Scalar;
+
+/// The sources of the law.
+pub(super) const REFERENCES: &[Reference] = &[newton("ball_cushion.restitution")];
 
 /// Parameters of the law.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,28 +23,26 @@ pub struct Restitution<S> {
     pub tangential: S,
 }
 
-/// What a cushion does to a ball of unit mass.
-#[derive(Clone, Copy, Debug)]
-pub struct Rebound<S> {
-    /// Velocity after the contact.
-    pub velocity: Vec2<S>,
-    /// Normal velocity before the contact, negative while closing.
-    pub normal_velocity: S,
-    /// Kinetic energy lost.
-    pub energy_loss: S,
-}
-
 impl<S: Scalar> Restitution<S> {
     /// The law without loss.
     pub const ELASTIC: Self = Self { normal: S::ONE, tangential: S::ONE };
 
-    /// The velocity after a contact with unit normal `normal`, whose squared length as rounded is `1 / normal_scale`.
     #[inline(always)]
-    pub fn rebound(&self, velocity: Vec2<S>, normal: Vec2<S>, normal_scale: S) -> Rebound<S> {
-        let normal_velocity = velocity.dot(normal) * normal_scale;
-        let turned = normal * ((self.tangential + self.normal) * normal_velocity);
+    pub(super) fn restitution(&self, _closing_speed: S) -> S {
+        self.normal
+    }
+
+    #[inline(always)]
+    pub(super) fn rebound(
+        &self,
+        velocity: Vec2<S>,
+        (normal, scale): (Vec2<S>, S),
+        restitution: S,
+    ) -> Rebound<S> {
+        let normal_velocity = velocity.dot(normal) * scale;
+        let turned = normal * ((self.tangential + restitution) * normal_velocity);
         let tangential_squared = velocity.norm_squared() - normal_velocity.squared();
-        let lost = (S::ONE - self.normal.squared()) * normal_velocity.squared()
+        let lost = (S::ONE - restitution.squared()) * normal_velocity.squared()
             + (S::ONE - self.tangential.squared()) * tangential_squared;
         Rebound {
             velocity: velocity * self.tangential - turned,
@@ -45,9 +51,19 @@ impl<S: Scalar> Restitution<S> {
         }
     }
 
-    /// The velocity with its tangential part scaled, the normal part as it is.
-    pub fn scale_tangential(&self, velocity: Vec2<S>, normal: Vec2<S>, normal_scale: S) -> Vec2<S> {
-        let along_normal = normal * (velocity.dot(normal) * normal_scale);
-        along_normal + (velocity - along_normal) * self.tangential
+    pub(super) fn slide(&self, velocity: Vec2<S>, (normal, scale): (Vec2<S>, S)) -> Option<Vec2<S>> {
+        if self.tangential == S::ONE {
+            return None;
+        }
+        let along_normal = normal * (velocity.dot(normal) * scale);
+        Some(along_normal + (velocity - along_normal) * self.tangential)
+    }
+
+    pub(super) fn is_lossless(&self) -> bool {
+        self.normal == S::ONE && self.tangential == S::ONE
+    }
+
+    pub(super) fn is_dead(&self) -> bool {
+        self.normal == S::ZERO && self.tangential == S::ZERO
     }
 }

@@ -4,15 +4,25 @@
 //! of their place, never of their numbers, so that a renumbering changes no bit.
 
 mod complementarity;
-mod pairwise;
-mod reflections;
+pub mod pairwise;
+pub mod reflections;
 
 pub use pairwise::resolve_pairwise;
 pub use reflections::resolve_reflections;
 
 use crate::geometry::Vec2;
-use crate::law::restitution_keeping;
+use crate::law::collapse::restitution_keeping;
+use crate::law::{Reference, ball_ball, ball_cushion};
 use crate::scalar::Scalar;
+
+/// A study of both laws: which of them end, and how losses are to be built in.
+const fn vouga_2017(law: &'static str) -> Reference {
+    Reference {
+        law,
+        text: "E. Vouga, B. Smith, D. M. Kaufman, R. Tamstorf, E. Grinspun, All's well that ends well: guaranteed resolution of simultaneous rigid body impact, ACM Transactions on Graphics 36 (2017) 151",
+        doi: Some("10.1145/3072959.3073689"),
+    }
+}
 
 /// A ball in a cluster.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +35,15 @@ pub struct Body<S> {
     scale: S,
 }
 
+/// The law of a contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TouchLaw<S> {
+    /// Between two balls.
+    Balls(ball_ball::Law<S>),
+    /// Between a ball and a cushion.
+    Cushion(ball_cushion::Law<S>),
+}
+
 /// A contact in a cluster: between two bodies, or of one with a cushion.
 #[derive(Clone, Copy, Debug)]
 pub struct Touch<S> {
@@ -34,8 +53,8 @@ pub struct Touch<S> {
     pub b: Option<usize>,
     /// Unit vector from the first body to the second, or into the cushion.
     pub normal: Vec2<S>,
-    /// Coefficient of restitution.
-    pub restitution: S,
+    /// What says how much of the closing speed it gives back.
+    pub law: TouchLaw<S>,
     /// Closing speeds up to this are given back in full, faster ones at least that far.
     pub kept_speed: S,
     /// Normal impulse received so far.
@@ -88,8 +107,8 @@ fn size<S: Scalar>(velocity: Vec2<S>) -> S {
 
 impl<S: Scalar> Touch<S> {
     /// A contact that has received nothing yet.
-    pub fn new(a: usize, b: Option<usize>, normal: Vec2<S>, restitution: S) -> Self {
-        Self { a, b, normal, restitution, kept_speed: S::ZERO, impulse: S::ZERO, closing_speed: S::ZERO }
+    pub fn new(a: usize, b: Option<usize>, normal: Vec2<S>, law: TouchLaw<S>) -> Self {
+        Self { a, b, normal, law, kept_speed: S::ZERO, impulse: S::ZERO, closing_speed: S::ZERO }
     }
 
     /// The speed at which the gap opens (negative while closing).
@@ -99,7 +118,12 @@ impl<S: Scalar> Touch<S> {
 
     /// The restitution of the contact as it closes now.
     fn restitution_now(&self, bodies: &[Body<S>]) -> S {
-        restitution_keeping(self.restitution, self.kept_speed, -self.gap_rate(bodies))
+        let closing_speed = -self.gap_rate(bodies);
+        let own = match self.law {
+            TouchLaw::Balls(law) => law.restitution(closing_speed),
+            TouchLaw::Cushion(law) => law.restitution(closing_speed),
+        };
+        restitution_keeping(own, self.kept_speed, closing_speed)
     }
 
     /// Whether the gap closes, beyond the round-off of the velocities.

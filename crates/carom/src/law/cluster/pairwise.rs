@@ -2,10 +2,17 @@
 //!
 //! The result depends on which contact comes first, as in a sequence of separate collisions: one ball into a touching
 //! pair comes out lopsided. Kept because it is what most programs do, and right for balls that only seem to touch.
+//!
+//! Source: the pairwise schemes of Vouga et al. (2017), from the abstract. *Departs from source*: a last pass without
+//! restitution, over all contacts, after a number of them.
 
 use super::reflections::force_open;
-use super::{Body, PASSES_PER_BALL, Passes, Touch, closing_touches};
+use super::{Body, PASSES_PER_BALL, Passes, Touch, closing_touches, vouga_2017};
+use crate::law::Reference;
 use crate::scalar::Scalar;
+
+/// The sources of the law.
+pub const REFERENCES: &[Reference] = &[vouga_2017("cluster.pairwise")];
 
 /// Resolves the contacts one at a time until none closes.
 pub fn resolve_pairwise<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<S>]) -> Passes {

@@ -8,12 +8,23 @@
 //! is then scaled so that they do not. After a number of passes one last pass without restitution, over all contacts,
 //! ends the matter.
 //!
-//! Source: the generalised reflections of Smith et al., *Reflections on simultaneous impact* (2012), from the abstract
-//! of Vouga et al., ACM TOG 36 (2017) 151. *Departs from source*: restitution per contact, energy guard, last pass.
+//! Source: the generalised reflections of Smith et al. (2012), from the abstract of Vouga et al. (2017). *Departs from
+//! source*: restitution per contact, energy guard, last pass.
 
 use super::complementarity::solve_complementarity;
-use super::{Body, PASSES_PER_BALL, Passes, Touch, closing_touches};
+use super::{Body, PASSES_PER_BALL, Passes, Touch, closing_touches, vouga_2017};
+use crate::law::Reference;
 use crate::scalar::Scalar;
+
+/// The sources of the law.
+pub const REFERENCES: &[Reference] = &[
+    Reference {
+        law: "cluster.reflections",
+        text: "B. Smith, D. M. Kaufman, E. Vouga, R. Tamstorf, E. Grinspun, Reflections on simultaneous impact, ACM Transactions on Graphics 31 (2012) 106",
+        doi: Some("10.1145/2185520.2185602"),
+    },
+    vouga_2017("cluster.reflections"),
+];
 
 /// Resolves all contacts until none closes.
 pub fn resolve_reflections<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<S>]) -> Passes {

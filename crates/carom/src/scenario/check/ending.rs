@@ -2,8 +2,10 @@
 
 use super::{Draft, Findings};
 use crate::geometry::{Piece, Vec2};
+use crate::law::ball_cushion::Law;
 use crate::model::Table;
 use crate::scenario::schema::{Ball, Flight, Physics};
+use crate::scenario::system::cushion_law;
 
 /// Notes a missing duration where not everything comes to rest.
 pub(super) fn check_ending(draft: &Draft<'_>, table: Option<&Table<f64>>, findings: &mut Findings) {
@@ -31,8 +33,7 @@ fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
             format!("cushion {id:?}, onto which the field pulls, gives all the normal speed back")
         });
     }
-    let is_dead = |id: &str| draft.physics.law_of_cushion(id).factors() == [0.0, 0.0];
-    if table.cushions().all(|cushion| is_dead(&cushion.id)) {
+    if table.cushions().all(|cushion| law_of(draft.physics, &cushion.id).is_dead()) {
         return None;
     }
     let is_moving = |(index, ball): &(usize, &Ball)| {
@@ -42,13 +43,17 @@ fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
     Some(format!("no field pulls ball {:?} onto a cushion that would hold it", ball.id))
 }
 
-/// A cushion onto which a field pulls and that loses no energy.
+fn law_of(physics: &Physics, id: &str) -> Law<f64> {
+    cushion_law("", physics.law_of_cushion(id), &mut |_, value| value)
+}
+
+/// A cushion onto which a field pulls and that gives slow balls all their normal speed back.
 fn elastic_floor<'a>(physics: &Physics, table: &'a Table<f64>, field: Vec2<f64>) -> Option<&'a str> {
     let pulled_onto = |piece: &Piece<f64>| {
         let facing = |point| piece.direction_at(point).left();
         [piece.start(), piece.middle(), piece.end()].into_iter().any(|point| facing(point).dot(field) < 0.0)
     };
-    let is_elastic = |id: &str| physics.law_of_cushion(id).factors()[0] == 1.0;
+    let is_elastic = |id: &str| law_of(physics, id).restitution(0.0) == 1.0;
     table
         .cushions()
         .find(|cushion| pulled_onto(&cushion.piece) && is_elastic(&cushion.id))

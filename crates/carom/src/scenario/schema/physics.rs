@@ -91,17 +91,6 @@ pub enum BallCushion {
     },
 }
 
-impl BallCushion {
-    /// The factors of the normal and of the tangential part of the velocity.
-    pub fn factors(&self) -> [f64; 2] {
-        match *self {
-            BallCushion::Elastic => [1.0, 1.0],
-            BallCushion::Restitution { normal, tangential } => [normal, tangential],
-            BallCushion::Damping { factor } => [factor, factor],
-        }
-    }
-}
-
 /// How contacts at one instant are resolved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

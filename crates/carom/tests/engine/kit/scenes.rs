@@ -145,6 +145,23 @@ pub fn random_balls(
     balls
 }
 
+/// Balls on a coarse grid of a 2 x 2 table, with few velocities: exact ties, touching balls, shots into corners.
+pub fn grid_balls(random: &mut Random) -> Vec<Ball> {
+    let mut balls: Vec<Ball> = Vec::new();
+    for _ in 0..60 {
+        let position = [0, 1].map(|_| 0.125 * (1 + random.below(15)) as f64);
+        let velocity = [0, 1].map(|_| 0.5 * random.below(5) as f64 - 1.0);
+        let is_free = |b: &Ball| {
+            let [x, y] = [0, 1].map(|axis| b.position[axis] - position[axis]);
+            x * x + y * y >= 0.0625
+        };
+        if balls.len() < 7 && balls.iter().all(is_free) {
+            balls.push(ball(0.125, position, velocity));
+        }
+    }
+    balls
+}
+
 /// The room that a table is.
 pub fn room_of(table: &Value) -> Room {
     let text = json!({ "duration": 1.0, "table": table,
