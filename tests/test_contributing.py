@@ -30,7 +30,8 @@ def section(title: str) -> str:
 
 
 def words(text: str) -> list[str]:
-    """What stands in backticks, other than commands."""
+    """What stands in backticks, other than blocks and commands."""
+    text = re.sub(r"(?ms)^```.*?^```$", "", text)
     return [word for word in re.findall(r"`([^`]+)`", text) if not word.startswith(("make ", "cargo ", ".venv/"))]
 
 

@@ -230,7 +230,7 @@ def test_a_stepped_run_tells_of_its_steps(stepped: carom.Run, midterm: carom.Sce
     assert "steps 167" in found.text
     assert "steps with a hit 11" in found.text
     assert "lost time 0.149" in found.text
-    assert "after hit wait a ball that hit something waits there" in found.text
+    assert "after hit wait A ball that hit something waits there" in found.text
     assert "steps with a hit" not in without_pictures(midterm.run(method=carom.Stepped(0.03), record="events")).text
 
 

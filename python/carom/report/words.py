@@ -78,8 +78,10 @@ def choices(kind: str) -> dict[str, str]:
 
 def _word(choice: dict[str, Any]) -> str:
     """Give the word of a choice: its own, or that of its key ``law`` or ``kind``."""
-    named: dict[str, Any] = choice.get("properties", {})
-    return str(choice["const"] if "const" in choice else named.get("law", named.get("kind"))["const"])
+    if "const" in choice:
+        return str(choice["const"])
+    keys = choice["properties"]
+    return str(keys["law" if "law" in keys else "kind"]["const"])
 
 
 def _first_sentence(text: str) -> str:
