@@ -306,7 +306,7 @@ def test_json_holds_the_run(run: carom.Run) -> None:
     assert [event["time"] for event in found["events"]] == run.events["time"].tolist()
     assert found["events"][3]["ball_b"] == "blue"
     assert found["files"] == []
-    assert found["references"][0]["law"] == "ball_ball.restitution"
+    assert found["references"][0]["law"] == "ball_cushion.restitution"
 
 
 def test_limits_end_a_run() -> None:

@@ -72,3 +72,31 @@ def test_missing_extra_is_one_line(
     monkeypatch.setitem(sys.modules, module, None)
     with pytest.raises(carom.MissingExtraError, match=r"^\w+ is not installed: needs carom\[data\]$"):
         getattr(table, method)()
+
+
+def test_arrow_tables_of_several_runs_join(run: carom.Run) -> None:
+    arrow = pytest.importorskip("pyarrow")
+    circle = carom.load("circle").run()
+    joined = arrow.concat_tables([run.events.to_arrow(), circle.events.to_arrow(), run.events[:0].to_arrow()])
+    assert joined.num_rows == len(run.events) + len(circle.events)
+
+
+def test_what_is_in_no_cluster_is_absent_elsewhere(run: carom.Run, tmp_path: Path) -> None:
+    pytest.importorskip("pandas")
+    pytest.importorskip("pyarrow")
+    assert set(run.events["cluster"].tolist()) == {-1}
+    assert run.events.to_pandas()["cluster"].isna().all()
+    assert run.events.to_arrow()["cluster"].null_count == len(run.events)
+    run.events.to_csv(tmp_path / "events.csv")
+    assert all(line.endswith(",") for line in (tmp_path / "events.csv").read_text().splitlines()[1:])
+    struck = carom.load("one_into_two").run().events
+    assert struck.to_pandas()["cluster"].tolist() == struck.to_arrow()["cluster"].to_pylist() == [1, 1]
+
+
+def test_a_table_holds_its_names(run: carom.Run) -> None:
+    trajectory = run.trajectory([0.0, 1.0])
+    assert "time" in trajectory
+    assert "green.x" not in trajectory
+    assert list(trajectory)[:2] == ["time", "red.x"]
+    assert "time" in run.events
+    assert run.events[0] in run.events

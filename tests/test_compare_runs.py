@@ -115,7 +115,7 @@ def test_balls_are_matched_by_id(midterm: Scenario) -> None:
     more = compare(midterm, Scenario.from_dict({**values, "balls": [green, blue]}))
     assert (more.balls, more.only_in_a, more.only_in_b) == (["blue"], ["red"], ["green"])
     assert {"only in a: red", "only in b: green"} <= set(more.notes)
-    with pytest.raises(RunError, match=re.escape("no ball is in both: red, blue, and green")):
+    with pytest.raises(RunError, match=re.escape("no ball is in both: a has red, blue; b has green")):
         compare(midterm, Scenario.from_dict({**values, "balls": [green]}))
 
 

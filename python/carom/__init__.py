@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from carom.cite import citation
     from carom.columns import ColumnTable
     from carom.comparison import (
+        Difference,
+        Parting,
         RunComparison,
         StepComparison,
         TrajectoryComparison,
@@ -49,6 +51,8 @@ _HOMES = {
     "cite": ["citation"],
     "columns": ["ColumnTable"],
     "comparison": [
+        "Difference",
+        "Parting",
         "RunComparison",
         "StepComparison",
         "TrajectoryComparison",
@@ -84,6 +88,7 @@ __all__ = [
     "Circle",
     "ColumnTable",
     "Damping",
+    "Difference",
     "Elastic",
     "Event",
     "EventTable",
@@ -92,6 +97,7 @@ __all__ = [
     "Free",
     "Line",
     "MissingExtraError",
+    "Parting",
     "Path",
     "Physics",
     "Reference",

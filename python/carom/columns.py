@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -34,7 +34,7 @@ class ColumnTable:
     """
 
     def __init__(self, columns: Mapping[str, Any]) -> None:
-        self._columns = {name: _read_only(column) for name, column in columns.items()}
+        self._columns = {name: read_only(column) for name, column in columns.items()}
 
     @property
     def names(self) -> list[str]:
@@ -52,6 +52,12 @@ class ColumnTable:
 
     def __len__(self) -> int:
         return len(next(iter(self._columns.values()), ()))
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._columns
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self._columns)
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self) or not isinstance(other, ColumnTable):
@@ -79,20 +85,47 @@ class ColumnTable:
 
         Floats carry 17 significant digits, which read back to the same bits; what is absent is empty.
         """
-        texts = (_texts(column) for column in self._columns.values())
+        texts = (_texts(column) for column in self._exported().values())
         with replacing(path) as temporary, temporary.open("w", encoding="utf-8", newline="") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(self.names)
             writer.writerows(zip(*texts, strict=True))
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Give the table as a pandas DataFrame; needs carom[data]."""
-        frame: pandas.DataFrame = needed("pandas", "data").DataFrame(self._columns)
+        """Give the table as a pandas DataFrame; needs carom[data].
+
+        Whole numbers that may be absent are of pandas' type Int64.
+        """
+        library = needed("pandas", "data")
+
+        def series(column: NDArray[Any]) -> Any:
+            if not isinstance(column, np.ma.MaskedArray):
+                return column
+            return library.arrays.IntegerArray(column.data.copy(), np.ma.getmaskarray(column))
+
+        columns = {name: series(column) for name, column in self._exported().items()}
+        frame: pandas.DataFrame = library.DataFrame(columns)
         return frame
 
     def to_arrow(self) -> pyarrow.Table:
-        """Give the table as a pyarrow Table; needs carom[data]."""
-        return needed("pyarrow", "data").table(self._columns)
+        """Give the table as a pyarrow Table; needs carom[data].
+
+        Words are strings also where all of them are absent, so that tables of several runs can be joined.
+        """
+        library = needed("pyarrow", "data")
+
+        def array(column: NDArray[Any]) -> Any:
+            if column.dtype.kind == "O":
+                words = [None if word is None else str(word) for word in column]
+                return library.array(words, type=library.string())
+            mask = np.ma.getmaskarray(column) if isinstance(column, np.ma.MaskedArray) else None
+            return library.array(np.ma.getdata(column), mask=mask)
+
+        return library.table({name: array(column) for name, column in self._exported().items()})
+
+    def _exported(self) -> dict[str, NDArray[Any]]:
+        """Give the columns as other programs get them: masked where a number is absent."""
+        return self._columns
 
 
 def column_of(values: Sequence[Any], *, words: bool = False) -> NDArray[Any]:
@@ -108,7 +141,8 @@ def column_of(values: Sequence[Any], *, words: bool = False) -> NDArray[Any]:
     return column
 
 
-def _read_only(column: Any) -> NDArray[Any]:
+def read_only(column: Any) -> NDArray[Any]:
+    """Give an array as one that refuses to be written to."""
     view = np.asarray(column).view()
     view.setflags(write=False)
     return view
@@ -120,6 +154,8 @@ def _same(one: NDArray[Any], other: NDArray[Any]) -> bool:
 
 
 def _texts(column: NDArray[Any]) -> Iterable[str]:
+    if isinstance(column, np.ma.MaskedArray):
+        return map(_text_or_empty, column.tolist())
     texts: dict[str, Callable[[Any], str]] = {"f": "{:.17g}".format, "O": _text_or_empty}
     return map(texts.get(column.dtype.kind, str), column.tolist())
 

@@ -77,8 +77,9 @@ COLUMNS = tuple(field.name for field in fields(Event))
 class EventTable(ColumnTable):
     """Events as columns: ``events["time"]``; as rows: ``events[0]``; and in parts, which compose.
 
-    A column is a read-only array of n_events entries: int64 for `index` and `cluster` (−1: in no cluster),
-    float64 for numbers, object for `kind`, `ball_a`, `ball_b` and `cushion` (str, or None where absent).
+    A column is a read-only array of n_events entries: int64 for `index` and `cluster` (−1: in no cluster; in pandas,
+    Arrow, CSV and JSON that is absent), float64 for numbers, object for `kind`, `ball_a`, `ball_b` and `cushion` (str,
+    or None where absent).
 
     Parameters
     ----------
@@ -101,13 +102,16 @@ class EventTable(ColumnTable):
     @overload
     def __getitem__(self, key: int) -> Event: ...
     @overload
-    def __getitem__(self, key: slice | NDArray[Any]) -> EventTable: ...
-    def __getitem__(self, key: str | int | slice | NDArray[Any]) -> NDArray[Any] | Event | EventTable:
+    def __getitem__(self, key: slice | NDArray[Any] | Sequence[int]) -> EventTable: ...
+    def __getitem__(self, key: str | int | slice | NDArray[Any] | Sequence[int]) -> NDArray[Any] | Event | EventTable:
         if isinstance(key, str):
             return self.column(key)
         if isinstance(key, (int, np.integer)):
             return self._row(int(key))
-        return self._part(key)
+        return self._part(key if isinstance(key, slice) else np.asarray(key, dtype=None if len(key) else np.intp))
+
+    def __contains__(self, item: object) -> bool:
+        return super().__contains__(item) if isinstance(item, str) else any(event == item for event in self)
 
     def __iter__(self) -> Iterator[Event]:
         columns = (self.column(name).tolist() for name in COLUMNS)
@@ -141,6 +145,10 @@ class EventTable(ColumnTable):
         if not -len(self) <= row < len(self):
             raise IndexError(f"no event {row}; the table has {len(self)}")
         return next(iter(self._part(slice(row, row + 1 or None))))
+
+    def _exported(self) -> dict[str, NDArray[Any]]:
+        cluster = self.column("cluster")
+        return {**self.to_dict(), "cluster": np.ma.masked_equal(cluster, -1)}
 
     def _part(self, rows: slice | NDArray[Any]) -> EventTable:
         columns = {name: self.column(name)[rows] for name in COLUMNS}

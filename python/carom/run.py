@@ -58,7 +58,8 @@ class Reference:
     Attributes
     ----------
     law : str
-        The law, as kind and name: ``ball_cushion.restitution``, ``cluster.reflections``, ``method.stepped``.
+        The law, as kind and name: ``ball_cushion.restitution``, of which ``damping`` is another name,
+        ``cluster.reflections``, ``method.stepped``.
     text : str
         Authors, title, where and when.
     doi : str or None
@@ -150,7 +151,7 @@ class Run:
         --------
         >>> import carom
         >>> [reference.law for reference in carom.load("midterm").run().references]
-        ['ball_ball.restitution', 'ball_cushion.restitution']
+        ['ball_cushion.restitution']
         """
         return [Reference(**source) for source in json.loads(self._native.references())]
 
@@ -267,8 +268,22 @@ class Run:
     ) -> Run:
         """Give a longer run that goes on where this one ended: the same bits as one run to the new end.
 
+        The new ends are counted from the start of this run, and take the place of its own: those of them that are not
+        given are none, so that `collisions` alone goes on however long it takes.
+
+        Parameters
+        ----------
+        duration : float, optional
+            Go on to this time.
+        collisions : int, optional
+            Go on to this many collisions in all; a run that has them already is given as it is.
+        max_events : int, optional
+            Go on to this many events in all at most, beside one of the other two.
+
         Raises
         ------
+        ScenarioError
+            When neither `duration` nor `collisions` is given, or when the run has come farther than `duration`.
         RunError
             When the run was made with another version of the physics.
         """

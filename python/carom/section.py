@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import Any, ClassVar
 
-from carom.encoding import Encodable, to_json
+from carom.encoding import Encodable, plain
 
 
 class Section(Encodable):
     """A frozen dataclass that stands for one table of a scenario file.
 
-    Values are checked where they meet the rest, when a `Scenario` is made. Sections compare by what they say.
+    Values are checked where they meet the rest, when a `Scenario` is made. Sections compare by what they say: a list
+    equals a tuple of the same numbers, and 1 equals 1.0.
     """
 
     tag: ClassVar[dict[str, str]] = {}
@@ -27,11 +28,17 @@ class Section(Encodable):
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
             return NotImplemented
-        return to_json(self) == to_json(other)
+        return bool(plain(self) == plain(other))
 
     def __hash__(self) -> int:
-        return hash((type(self), to_json(self)))
+        return hash((type(self), _hashable(plain(self))))
 
     def __repr__(self) -> str:
         values = ", ".join(f"{name}={value!r}" for name, value in self._present().items())
         return f"{type(self).__name__}({values})"
+
+
+def _hashable(value: Any) -> Any:
+    if isinstance(value, dict):
+        return tuple((key, _hashable(item)) for key, item in sorted(value.items()))
+    return tuple(map(_hashable, value)) if isinstance(value, list) else value

@@ -42,7 +42,8 @@ def verify(
     if as_json:
         print_json({"run": str(run), "same": found.same, "physics_version": version, "difference": found.difference})
     elif found.same:
-        print(f"{run}: same bits (physics version {version})")
+        made = "" if version == carom.PHYSICS_VERSION else f", made with {version}"
+        print(f"{run}: same bits (physics version {carom.PHYSICS_VERSION}{made})")
     elif found.difference and found.difference["place"] == "physics_version":
         now = found.difference["now"]
         say_error(str(run), f"made with physics version {version}, and this is version {now}: not the same bits")

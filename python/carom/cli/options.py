@@ -19,7 +19,7 @@ SCENARIO_OR_RUN = "A ready-made scenario's name (see: carom scenarios), a .toml 
 
 ScenarioName = Annotated[str, typer.Argument(metavar="SCENARIO", help=SCENARIO, show_default=False)]
 Duration = Annotated[float | None, typer.Option(metavar="T", min=0.0, help="End at this time.")]
-MaxEvents = Annotated[int | None, typer.Option(metavar="N", min=0, help="End after N events of any kind.")]
+MaxEvents = Annotated[int | None, typer.Option(metavar="N", min=1, help="End after N events of any kind.")]
 Settings = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="PATH=VALUE", help="Change a value, e.g. balls.red.velocity[0]=3.1. Repeatable."),

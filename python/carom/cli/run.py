@@ -175,9 +175,7 @@ def _write_report(run: Run, folder: Path, pictures: dict[str, bytes], files: lis
 
 def _print_json(run: Run, facts: dict[str, Any]) -> None:
     """Print a run and the facts about its files; its events are null where it kept none."""
-    events = None if run.record == "none" else run.events.to_dict()
-    columns = {name: column.tolist() for name, column in (events or {}).items()}
-    rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+    events = None if run.record == "none" else [asdict(event) for event in run.events]
     print_json(
         {
             "status": run.status,
@@ -187,7 +185,7 @@ def _print_json(run: Run, facts: dict[str, Any]) -> None:
             "diagnostics": run.diagnostics,
             "references": [asdict(reference) for reference in run.references],
             "record": run.record,
-            "events": None if events is None else rows,
+            "events": events,
             **facts,
         }
     )

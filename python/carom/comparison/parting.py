@@ -50,7 +50,7 @@ class Parting:
         """Put it into a line."""
         count = f"{self.same} {'is' if self.same == 1 else 'are'} the same"
         if self.event is None:
-            return f"all {count}" if self.same else "there are none"
+            return f"all {count} in kind, balls and cushion" if self.same else "there are none"
         events = zip((self.event_a, self.event_b), names, strict=True)
         met = ", ".join(f"{self._met(event)} in {name}" for event, name in events)
         return f"{count}; then {self.ball} meets {met}"

@@ -10,16 +10,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.columns import ColumnTable, column_of
+from carom.columns import ColumnTable, column_of, read_only
 from carom.comparison.parting import Parting, find_parting
 from carom.errors import RunError
 from carom.run import Run
+from carom.scenario import Scenario
 from carom.summary import paragraphs
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from carom.scenario import Scenario
 
 MOST_NAMED = 8
 SAMPLES = 1000
@@ -32,7 +31,7 @@ WORDS = ("title", "description")
 
 @dataclass(frozen=True, repr=False)
 class RunComparison:
-    """Two runs side by side, up to the earlier of their ends.
+    """Two runs side by side, up to the earlier of their ends; true when they are the same, to the last bit.
 
     Attributes
     ----------
@@ -98,14 +97,15 @@ class RunComparison:
         even = np.linspace(0.0, self.end_time, self.samples)
         events = [np.asarray(run.events["time"], dtype=np.float64) for run in (self.a, self.b)]
         times = np.unique(np.concatenate([even, *events]))
-        chosen: NDArray[np.float64] = times[times <= self.end_time]
+        chosen: NDArray[np.float64] = read_only(times[times <= self.end_time])
         return chosen
 
     @cached_property
     def distances(self) -> NDArray[np.float64]:
         """How far each ball is in `b` from its place in `a`, (n_times, n_balls) float64."""
         apart = _places(self.a, self.balls, self.times) - _places(self.b, self.balls, self.times)
-        return np.hypot(apart[..., 0], apart[..., 1])
+        distances: NDArray[np.float64] = read_only(np.hypot(apart[..., 0], apart[..., 1]))
+        return distances
 
     @property
     def largest(self) -> float:
@@ -142,12 +142,16 @@ class RunComparison:
         over = self.distances > distance
         return np.where(over.any(axis=0), self.times[over.argmax(axis=0)], np.nan)
 
+    def __bool__(self) -> bool:
+        return self.same_bits and self.largest == 0.0
+
     @property
     def verdict(self) -> str:
         """The outcome in one line."""
-        if self.same_bits and self.largest == 0.0:
+        if self:
             return f"the same bits: every ball ends where it does in the other, at t = {self.end_time:.6g}"
-        events = "the events are the same" if self.parting.event is None else "the events differ"
+        same = self.parting.event is None
+        events = "the same events in the same order, ball by ball" if same else "the events differ"
         return f"{events}; the largest distance is {self.largest:.3g}, up to t = {self.end_time:.6g}"
 
     @property
@@ -212,6 +216,8 @@ def compare(
     ------
     RunError
         When no ball is in both, or when a run kept no flights.
+    TypeError
+        When one of the two is neither a scenario nor a run.
 
     Examples
     --------
@@ -226,13 +232,17 @@ def compare(
     one, two = (_run_of(each, name) for each, name in zip((a, b), names, strict=True))
     balls = [name for name in one.ball_ids if name in two.ball_ids]
     if not balls:
-        raise RunError(f"no ball is in both: {_named(one.ball_ids)}, and {_named(two.ball_ids)}")
+        raise RunError(
+            f"no ball is in both: {names[0]} has {_named(one.ball_ids)}; {names[1]} has {_named(two.ball_ids)}"
+        )
     return RunComparison(one, two, names, balls, samples)
 
 
 def _run_of(given: Scenario | Run, name: str) -> Run:
-    if not isinstance(given, Run):
+    if isinstance(given, Scenario):
         return given.run(record="all")
+    if not isinstance(given, Run):
+        raise TypeError(f"{name}: must be a Scenario or a Run, got {given!r}; carom.load and carom.load_run read files")
     try:
         given.positions(0.0)
     except RunError as error:

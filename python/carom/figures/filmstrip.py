@@ -105,7 +105,7 @@ def filmstrip(
         raise ValueError(f"frames must be odd and at least 3, got {frames}")
     if around is not None and not isinstance(around, Event):
         raise TypeError(f"around: must be one event, such as run.events[0], got {around!r}")
-    scene = Scene.of(run.scenario)
+    scene = Scene.of_run(run)
     event = default_event(run, scene) if around is None else around
     times = frame_times(run, scene, event, frames)
     strip = Strip(run, scene, event, times, _arrow_scale(run, scene, times) if arrows else 0.0)

@@ -27,6 +27,7 @@ MOST_MARKS = 400
 SAMPLES = 500
 MARGIN = 0.055
 MARGIN_WITHOUT_NUMBERS = 0.035
+LEGEND_COLUMN, LEGEND_ROW = 0.86, 0.18  # inches
 LEGEND = {"frameon": False, "handletextpad": 0.1, "columnspacing": 1.2, "borderaxespad": 0.15}
 
 
@@ -48,7 +49,7 @@ def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None)
     -------
     Axes
     """
-    scene = Scene.of(run.scenario)
+    scene = Scene.of_run(run)
     count = len(run.events)
     numbered = count <= MOST_NUMBERS if numbers is None else numbers
     marked = run.events if numbered or count <= MOST_MARKS else run.events[:0]
@@ -80,12 +81,15 @@ def _new_axes(scene: Scene, margin: float, kinds: list[str]) -> Axes:
     """Make an axes as large as a page's column allows, in the table's proportions, with a legend of its marks."""
     ratio = framed_ratio(scene, margin)
     width = min(5.4, 6.4 / ratio)
-    left, right, below, above = 0.5, 0.1, 0.68, 0.06
+    left, right, above = 0.5, 0.1, 0.06
+    marks = _legend_marks(kinds)
+    columns = max(1, min(len(marks), int((left + width + right) / LEGEND_COLUMN)))
+    below = 0.5 + LEGEND_ROW * -(-len(marks) // columns)
     total = (left + width + right, below + width * ratio + above)
     figure = style.new_figure(*total)
     place = (left / total[0], below / total[1], width / total[0], width * ratio / total[1])
     ax = figure.add_axes(place)
-    figure.legend(handles=_legend_marks(kinds), loc="lower center", ncols=4, fontsize=style.TICK_SIZE, **LEGEND)
+    figure.legend(handles=marks, loc="lower center", ncols=columns, fontsize=style.TICK_SIZE, **LEGEND)
     return ax
 
 

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from carom.run import Run
     from carom.scenario import Scenario
 
 
@@ -48,6 +49,13 @@ class Scene:
     pieces: tuple[Mapping[str, Any], ...]
     field: NDArray[np.float64]
     units: Mapping[str, str]
+
+    @classmethod
+    def of_run(cls, run: Run) -> Scene:
+        """Read the scenario of a run that kept its motion; of another one, the error says what to keep."""
+        if run.record != "all":
+            run.positions(0.0)
+        return cls.of(run.scenario)
 
     @classmethod
     def of(cls, scenario: Scenario) -> Scene:

@@ -43,7 +43,7 @@ def plot_energy(run: Run, ax: Axes | None = None) -> Axes:
     -------
     Axes
     """
-    scene = Scene.of(run.scenario)
+    scene = Scene.of_run(run)
     in_field = bool(np.any(scene.field != 0.0))
     ax = _new_axes(scene, more=2 if in_field else 0) if ax is None else ax
     times = draw_times(run, SAMPLES)
@@ -73,7 +73,7 @@ def plot_speed(run: Run, ax: Axes | None = None) -> Axes:
     -------
     Axes
     """
-    scene = Scene.of(run.scenario)
+    scene = Scene.of_run(run)
     ax = _new_axes(scene) if ax is None else ax
     times = draw_times(run, SAMPLES)
     _draw_balls(ax, scene, times, np.linalg.norm(run.velocities(times), axis=-1))
@@ -94,7 +94,7 @@ def plot_momentum(run: Run, ax: Axes | None = None) -> Axes:
     -------
     Axes
     """
-    scene = Scene.of(run.scenario)
+    scene = Scene.of_run(run)
     ax = _new_axes(scene) if ax is None else ax
     times = draw_times(run, SAMPLES)
     momentum = run.momentum(times)

@@ -8,13 +8,15 @@ use crate::scenario::schema::Cluster;
 impl<S: Scalar> Run<S> {
     /// The sources of the laws that acted in the run, in the order of the laws' rooms.
     ///
+    /// A law that takes no energy, in which both parts of a velocity keep their size, is any textbook's and names none.
     /// A run that kept no events does not know which cushions were hit: then the laws of all of them count, if any was.
     pub fn references(&self) -> Vec<&'static Reference> {
         let mut sources = Vec::new();
-        if self.diagnostics.events[Kind::BallBall as usize] > 0 {
+        if self.diagnostics.events[Kind::BallBall as usize] > 0 && !self.system.ball_ball.is_lossless() {
             sources.push(self.system.ball_ball.references());
         }
-        sources.extend(self.cushion_laws().map(ball_cushion::Law::references));
+        let lossy = self.cushion_laws().filter(|law| !law.is_lossless());
+        sources.extend(lossy.map(ball_cushion::Law::references));
         if self.diagnostics.cluster_passes > 0 {
             sources.push(match self.system.cluster {
                 Cluster::Reflections => cluster::reflections::REFERENCES,

@@ -3,8 +3,8 @@
 //! `J = (1 + e) m_red u`, with the reduced mass `m_red = m1 m2 / (m1 + m2)` and the closing speed
 //! `u = (v1 − v2)·n`; then `v1 −= J n / m1`, `v2 += J n / m2`. The energy lost is `½ m_red (1 − e²) u²`.
 //!
-//! Source: Newton (1687), who found that balls of wool, cork, steel and glass part with a fixed fraction of the speed
-//! with which they meet.
+//! Source: Newton (1687), who found that balls of one material part with a fixed fraction of the speed with which they
+//! meet.
 
 use super::{Impact, Pair};
 use crate::law::Reference;
