@@ -181,6 +181,8 @@ class Scenario:
         >>> faster.value("balls.red.velocity[0]")
         3.1
         """
+        if not isinstance(values, Mapping):
+            raise TypeError(f"values: must be a mapping of paths to values, got {values!r}")
         return type(self)._of(self._native.with_values(to_json(values)))
 
     def outline(self) -> dict[str, Any]:

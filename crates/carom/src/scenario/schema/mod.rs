@@ -56,7 +56,7 @@ pub struct Scenario {
     /// The laws of motion and of collision; absent: free flight and elastic collisions.
     #[serde(default, skip_serializing_if = "is_default")]
     pub physics: Physics,
-    /// How the run is computed; absent: exactly.
+    /// How the run is computed; absent: exact.
     #[serde(default, skip_serializing_if = "is_default")]
     pub method: Method,
     /// What balls have that do not say it themselves.
