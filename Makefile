@@ -125,12 +125,16 @@ want_octave = command -v octave-cli >/dev/null \
 
 $(VENV)/.tools: pyproject.toml
 	@$(need_python)
-	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@# An installation that was broken off is begun anew: pip takes what it left for whole.
+	@if test -e $(VENV)/.unfinished; then rm -rf $(VENV); fi
+	@mkdir -p $(VENV) && touch $(VENV)/.unfinished
+	test -x $(BIN)/pip || $(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --upgrade 'pip>=25.1'
 	$(BIN)/python -m pip install --quiet --group dev
+	@rm $(VENV)/.unfinished
 	@touch $@
 
 $(VENV)/.built: $(VENV)/.tools $(RUST) Cargo.toml Cargo.lock $(SCENARIOS)
 	@$(need_rust)
-	VIRTUAL_ENV=$(abspath $(VENV)) $(BIN)/maturin develop --release --locked --extras all
+	VIRTUAL_ENV="$(CURDIR)/$(VENV)" $(BIN)/maturin develop --release --locked --extras all
 	@touch $@

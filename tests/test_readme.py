@@ -26,8 +26,3 @@ def test_files_that_it_names_exist():
     assert len(paths) > 4
     for path in paths:
         assert (ROOT / path).exists(), path
-
-
-def test_number_of_ready_made_scenarios_is_right():
-    words = {17: "seventeen", 18: "eighteen", 19: "nineteen", 20: "twenty"}
-    assert f"holds {words[len(carom.scenarios())]} files" in TEXT.replace("\n", " ")

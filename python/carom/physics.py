@@ -75,11 +75,11 @@ class Physics(Section):
     ----------
     flight : Free or Field, optional
         How balls move between events.
-    ball_ball : Elastic or Restitution, optional
+    ball_ball : BallLaw, optional
         What happens when two balls meet.
-    ball_cushion : Elastic, Restitution or Damping, optional
+    ball_cushion : CushionLaw, optional
         What happens when a ball meets a cushion.
-    cushions : mapping of str to a cushion law, optional
+    cushions : mapping of str to CushionLaw, optional
         Laws of single cushions, by the cushion's id, in place of `ball_cushion`.
     cluster : "reflections" or "pairwise", optional
         How contacts at one instant are resolved.

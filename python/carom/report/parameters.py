@@ -27,8 +27,11 @@ def table_rows(scenario: Scenario) -> list[Row]:
     table: Values = scenario.to_dict()["table"]
     length = scenario.units.get("length")
     rows = [Row("shape", table["shape"])]
+    sizes = {name: value for name, value in table.items() if name not in ("shape", "pieces", "obstacles")}
+    # A whole number counts something, and is no length.
     rows += [
-        Row(name, with_unit(short(table[name]), length)) for name in ("width", "length", "radius") if name in table
+        Row(name, exact(value) if isinstance(value, int) else with_unit(short(value), length))
+        for name, value in sizes.items()
     ]
     if "pieces" in table:
         x_min, y_min, x_max, y_max = scenario.outline()["bounds"]
@@ -93,11 +96,11 @@ def _head(words: str, unit: str | None) -> str:
 def law_rows(scenario: Scenario) -> list[Row]:
     """Give the laws of motion and of contact, those that the scenario leaves out too."""
     physics: Values = scenario.to_dict().get("physics", {})
-    elastic = {"law": "elastic"}
+    elastic, cushion_laws, own = {"law": "elastic"}, choices("BallCushion"), physics.get("cushions", {})
     rows = [_law_row("between events", physics.get("flight", {"law": "free"}), choices("Flight"), scenario.units)]
-    rows += [_law_row("two balls", physics.get("ball_ball", elastic), choices("BallBall"))]
-    rows += [_law_row("ball and cushion", physics.get("ball_cushion", elastic), choices("BallCushion"))]
-    rows += [_law_row(f"at {name}", law, choices("BallCushion")) for name, law in physics.get("cushions", {}).items()]
+    rows += [_law_row("two balls", physics.get("ball_ball", elastic), choices("BallBall"), scenario.units)]
+    rows += [_law_row("ball and cushion", physics.get("ball_cushion", elastic), cushion_laws, scenario.units)]
+    rows += [_law_row(f"at {name}", law, cushion_laws, scenario.units) for name, law in own.items()]
     for name, key, meanings in (
         ("several at once", "cluster", choices("Cluster")),
         ("without end", "collapse", choices("Collapse")),
@@ -107,12 +110,12 @@ def law_rows(scenario: Scenario) -> list[Row]:
     return rows
 
 
-def _law_row(name: str, law: Values, meanings: Mapping[str, str], units: Mapping[str, str] | None = None) -> Row:
+def _law_row(name: str, law: Values, meanings: Mapping[str, str], units: Mapping[str, str]) -> Row:
     parts = [law["law"]]
     for key, value in law.items():
         if key != "law":
             text = point(value) if isinstance(value, list) else short(value)
-            parts.append(f"{key} {with_unit(text, unit_of(units or {}, key))}")
+            parts.append(f"{key} {with_unit(text, unit_of(units, key))}")
     return Row(name, ", ".join(parts), meanings.get(law["law"], ""))
 
 

@@ -114,13 +114,13 @@ fn flight<S: Scalar>(start: &BallStart<S>, field: Vec2<S>) -> Flight<S> {
 }
 
 /// The laws of cushions: each cushion's own, or the one for all.
-struct CushionLaws<S> {
+pub(super) struct CushionLaws<S> {
     for_all: ball_cushion::Law<S>,
     own: Vec<(String, ball_cushion::Law<S>)>,
 }
 
 impl<S: Scalar> CushionLaws<S> {
-    fn new(physics: &schema::Physics, number: Number<'_, S>) -> Self {
+    pub(super) fn new(physics: &schema::Physics, number: Number<'_, S>) -> Self {
         let own = |(id, law): (&String, &schema::BallCushion)| {
             (id.clone(), cushion_law(&format!("physics.cushions.{}", Key(id)), law, number))
         };
@@ -161,7 +161,8 @@ pub(super) fn cushion_law<S: Scalar>(
     }
 }
 
-fn ball_ball_law<S: Scalar>(law: &schema::BallBall, number: Number<'_, S>) -> ball_ball::Law<S> {
+/// The law between balls of a scenario.
+pub(super) fn ball_ball_law<S: Scalar>(law: &schema::BallBall, number: Number<'_, S>) -> ball_ball::Law<S> {
     match law {
         schema::BallBall::Elastic => ball_ball::Law::ELASTIC,
         schema::BallBall::Restitution { normal } => ball_ball::Law::Restitution(ball_ball::Restitution {

@@ -297,6 +297,9 @@ fn numbers_whose_products_leave_double_precision_are_refused() {
     assert!(large("id = \"red\"", "id = \"red\"\nmass = 1e300").starts_with("balls[0].mass: is too large"));
     assert!(large("radius = 0.075", "radius = 1e-200").starts_with("ball_defaults.radius: is too small"));
     assert!(large("[0.5, 1.0]", "[0.5, -1e100]").starts_with("balls[1].position[1]: is too large"));
+    assert!(
+        large("factor = 0.8", "factor = 1e-200").starts_with("physics.ball_cushion.factor: is too small")
+    );
     let text = "duration = 1\nphysics.flight = { law = 'field', acceleration = [0, 1e90] }\n\
                 table = { shape = 'circle', radius = 1 }\nballs = [{ id = 'a', radius = 0.1, position = [0, 0] }]";
     assert!(problems(text)[0].starts_with("physics.flight.acceleration: is too large"));

@@ -19,9 +19,18 @@ fn every_scenario_file_passes_its_check() {
     for (name, text) in files {
         let scenario = Scenario::from_toml(&text).unwrap_or_else(|error| panic!("{name}:\n{error}"));
         scenario.check().unwrap_or_else(|error| panic!("{name}:\n{error}"));
-        assert!(scenario.title.is_some_and(|title| title.len() < 60), "{name} has a short title");
-        assert!(scenario.description.is_some_and(|text| text.len() > 80), "{name} says what to look at");
-        assert!(!text.contains("  \n") && text.ends_with('\n') && !text.contains('\t'), "{name} is tidy");
+        assert!(
+            scenario.title.is_some_and(|title| title.len() < 60),
+            "{name} must have a title of less than 60 bytes"
+        );
+        assert!(
+            scenario.description.is_some_and(|text| text.len() > 80),
+            "{name} must say what to look at, in a description of more than 80 bytes"
+        );
+        assert!(
+            !text.contains("  \n") && text.ends_with('\n') && !text.contains('\t'),
+            "{name} must have no tabs, no spaces at ends of lines, and a line end at its end"
+        );
     }
 }
 

@@ -33,7 +33,8 @@ impl<S: Scalar> Law<S> {
     /// The law without loss.
     pub const ELASTIC: Self = Self::Restitution(Restitution::ELASTIC);
 
-    /// The coefficient of restitution of a ball that closes at this speed.
+    /// The coefficient of restitution of a ball that closes at this speed; of one that does not close, which asks with a
+    /// speed of zero or less, anything: it is not used.
     #[inline(always)]
     pub fn restitution(&self, closing_speed: S) -> S {
         match self {

@@ -7,6 +7,7 @@
 use super::{Draft, Findings};
 use crate::model::Table;
 use crate::scenario::schema::Flight;
+use crate::scenario::system::{CushionLaws, ball_ball_law};
 use core::fmt::Display;
 
 /// The largest number that a run computes with; times end here too.
@@ -33,6 +34,12 @@ pub(super) fn check_magnitudes(draft: &Draft<'_>, findings: &mut Findings) {
     if let Flight::Field { acceleration } = draft.physics.flight {
         check_vector(&"physics.flight.acceleration", acceleration, findings);
     }
+    let mut parameter = |place: &dyn Display, value: f64| {
+        check_size(place, Some(value), findings);
+        value
+    };
+    ball_ball_law(&draft.physics.ball_ball, &mut parameter);
+    CushionLaws::new(draft.physics, &mut parameter);
     let defaults = draft.ball_defaults;
     for (key, value) in [("radius", defaults.radius), ("mass", defaults.mass)] {
         check_size(&format_args!("ball_defaults.{key}"), value, findings);
