@@ -73,9 +73,9 @@ class Track:
 
 
 def precision(fit: Fit) -> float:
-    """Say how precisely the trajectory gives places: as it agrees before it differs."""
+    """Say how precisely the trajectory gives places: as it agrees before it differs, and as its digits allow."""
     smallest = SMALLEST_PART * float(np.abs(fit.rows.places).max())
-    return max(smallest, float(fit.distances[: fit.first].max(initial=0.0)))
+    return max(smallest, fit.rounding[1], float(fit.distances[: fit.first].max(initial=0.0)))
 
 
 def acceleration_of(fit: Fit) -> Vector:
@@ -104,6 +104,6 @@ def just_after(fit: Fit, event: Event, ball: int) -> Vector:
     return velocity
 
 
-def said(vector: Vector) -> str:
+def said(vector: Vector, digits: int = 6) -> str:
     """Give a vector as text."""
-    return f"({vector[0] + 0.0:.6g}, {vector[1] + 0.0:.6g})"
+    return f"({vector[0] + 0.0:.{digits}g}, {vector[1] + 0.0:.{digits}g})"
