@@ -387,6 +387,22 @@ def test_a_mistake_is_found_below_few_digits(compared: Compared) -> None:
     assert "collision of red and blue at t = 0.923317" in text
 
 
+@pytest.mark.parametrize("form", ["%.4g", "%.5g"])
+@pytest.mark.parametrize("mistake", course.MISTAKES)
+def test_few_digits_make_up_no_other_mistake(compared: Compared, mistake: str, form: str) -> None:
+    """What is said of a rounded file is said of the whole one, or nothing is."""
+    rounded, whole = (said(compared(course.simulate(mistake=mistake), form=each)) for each in (form, "%r"))
+    for words in ("turned by", "exactly", "same velocity", "hardly move", "exchange their whole", "stops at that time"):
+        assert words not in rounded or words in whole
+    assert ("nothing is damped" in rounded) == (mistake == "undamped")
+    assert ("only the normal component is damped" in rounded) == (mistake == "normal only")
+
+
+def test_two_decimals_are_too_few_for_a_velocity(compared: Compared) -> None:
+    text = said(compared(course.simulate(mistake="swapped"), form="%.2f"))
+    assert text.endswith("its numbers have 2 decimals, too few to tell what happens there")
+
+
 def test_a_few_round_numbers_are_no_rounding(compared: Compared, right: list[course.Row]) -> None:
     assert "its numbers have" not in said(compared([(row[0], 0.1, 0.1, 0.5, 1.0) for row in right]))
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.comparison.motion import just_after, just_before, precision, said
+from carom.comparison.motion import MUCH_NEARER, just_after, just_before, precision, said
 
 if TYPE_CHECKING:
     from carom.comparison.fit import Fit
@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from carom.events import Event
 
 PART = 1e-6
+CLEAR = 20.0
+"""A component is clear of what rows leave open that is so many times larger."""
 HARDLY = 0.1
 """A ball hardly moves that goes less than this part of its way in the run."""
 SMALLEST_PART_OF_NORMAL = 1e-3
@@ -26,18 +28,22 @@ SMALLEST_ANGLE = 0.01
 def met_exactly(fit: Fit, event: Event, balls: tuple[int, int]) -> list[str]:
     """Find that balls of a stepped run stand, in the first row that differs, where they touch exactly."""
     times = fit.step_times
-    if times is None or fit.first is None:
+    if times is None or not fit.first or fit.rows.times[fit.first - 1] > event.time:
         return []
     start = float(times[max(int(np.searchsorted(times, event.time)) - 1, 0)])
     places, velocities = (part[list(balls), :2] for part in fit.run.states(start))
     later = _touching(places, velocities, sum(fit.run.scenario.balls[ball].radius or 0.0 for ball in balls))
     if later is None or start + later - event.time <= 0.0:
         return []
-    for place, velocity, ball in zip(places, velocities, balls, strict=True):
-        if ball in fit.rows.balls:
-            found = fit.rows.places[fit.first, fit.rows.balls.index(ball)]
-            if np.linalg.norm(found - place - later * velocity) > fit.tolerance + precision(fit):
-                return []
+    seen = [side for side in (0, 1) if balls[side] in fit.rows.balls]
+    late = (start + later - event.time) * float(np.linalg.norm(velocities, axis=1).max())
+    room = fit.tolerance + precision(fit)
+    if room > MUCH_NEARER * late:
+        return []
+    for side in seen:
+        found = fit.rows.places[fit.first, fit.rows.balls.index(balls[side])]
+        if np.linalg.norm(found - places[side] - later * velocities[side]) > room:
+            return []
     return [
         f"in the file the balls meet where they touch exactly, {start + later - event.time:.3g} later than the formula "
         "(|x_r - x_b| - 2r) / |v_r - v_b| of the scheme says"
@@ -158,7 +164,7 @@ class Contact:
         if abs(normal[1]) < SMALLEST_PART_OF_NORMAL or not self._goes_across(tangent):
             return []
         factor = 1.0 / float(normal[1]) ** 2
-        if factor - 1.0 <= PART:
+        if factor - 1.0 <= MUCH_NEARER:
             return []
         size = self._distance() ** 2
         told = f"is multiplied by {factor:.6g} = |t|^2 for t = [1, -n1/n2]"
@@ -173,7 +179,7 @@ class Contact:
         return []
 
     def _across(self, side: int, tangent: Vector) -> bool:
-        return abs(float(self.before[side] @ tangent)) > 1e3 * self.room
+        return abs(float(self.before[side] @ tangent)) > CLEAR * self.room
 
     def _goes_across(self, tangent: Vector) -> bool:
         return any(self._across(side, tangent) for side in self.seen)

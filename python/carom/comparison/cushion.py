@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import floor, log10
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.comparison.motion import just_after, just_before, precision
+from carom.comparison.motion import just_after, just_before, nearness, precision
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -20,6 +21,8 @@ PART = 1e-6
 """Speeds are equal that differ by no more than this part of the ball's speed, and what rows leave open."""
 
 
+CLEAR = 20.0
+"""A component is clear of what rows leave open that is so many times larger."""
 LEAST_STAY = 3
 """A ball stays at a cushion that is there in so many rows."""
 
@@ -52,7 +55,7 @@ def _past(fit: Fit, event: Event, ball: int, side: tuple[int, float, float], bey
     axis, _, wall = side
     first = fit.first
     assert first is not None
-    back = np.flatnonzero(np.diff(beyond[first:]) < 0.0)
+    back = np.flatnonzero(np.diff(beyond[first:]) < -fit.tolerance)
     if len(back) == 0:
         return []
     farthest = first + int(back[0])
@@ -75,7 +78,7 @@ def _went_on(fit: Fit, event: Event, ball: int) -> bool:
     time = float(fit.rows.times[fit.first]) - event.time
     place = fit.run.positions(event.time)[ball, :2] + time * just_before(fit, event, ball)
     apart = np.linalg.norm(fit.rows.places[fit.first, fit.rows.balls.index(ball)] - place)
-    return bool(apart <= fit.tolerance + precision(fit))
+    return bool(apart <= nearness(fit, ball))
 
 
 def _staying(fit: Fit, event: Event, ball: int, side: tuple[int, float, float], there: NDArray[np.bool_]) -> list[str]:
@@ -104,11 +107,11 @@ def explain_cushion(fit: Fit, event: Event, ball: int, motion: Motion) -> list[s
         return [f"in the file {name} goes straight on: this contact with the cushion is missing"]
     normal = np.array(event.normal)
     along = np.array([-normal[1], normal[0]])
-    if abs(before @ normal) <= 1e3 * room:
+    if abs(before @ normal) <= CLEAR * room:
         return []
     found = _factor(after, before, normal, -1.0), _factor(after, before, along, 1.0)
     wanted = _factor(carom, before, normal, -1.0), _factor(carom, before, along, 1.0)
-    seen = abs(before @ along) > 1e3 * room
+    seen = abs(before @ along) > CLEAR * room
     room_of = room / abs(before @ normal), room / abs(before @ along) if seen else np.inf
     normal_factor = _said_factor(-found[0], room_of[0])
     factors = f"the normal component of {name}'s velocity by {normal_factor} (Carom: {-wanted[0]:.6g})"
@@ -119,8 +122,9 @@ def explain_cushion(fit: Fit, event: Event, ball: int, motion: Motion) -> list[s
 
 
 def _said_factor(factor: float, room: float) -> str:
-    """Give a factor as text: zero where it is not told from it."""
-    return f"{factor if abs(factor) > room else 0.0:.6g}"
+    """Give a factor as text, with the decimals that are certain."""
+    decimals = min(max(floor(-log10(room)), 0), 15)
+    return f"{round(factor, decimals) + 0.0:.6g}"
 
 
 def _factor(after: Vector, before: Vector, direction: Vector, sign: float) -> float:

@@ -12,7 +12,7 @@ from carom.comparison.contact import Contact, met_exactly
 from carom.comparison.cushion import explain_cushion, explain_place
 from carom.comparison.digits import fitting_tolerance
 from carom.comparison.fit import CLOCK
-from carom.comparison.motion import Motion, Track, acceleration_of, precision, said, settled
+from carom.comparison.motion import Motion, Track, acceleration_of, nearness, precision, said, settled
 from carom.comparison.shift import find_shift
 from carom.comparison.start import explain_start
 
@@ -21,21 +21,35 @@ if TYPE_CHECKING:
     from carom.comparison.motion import Vector
     from carom.events import Event
 
+COARSE = 0.1
+"""Of velocities less certain than this part of the largest nothing is said."""
+FINE = 0.01
+"""Velocities are the same only where they are at least so certain."""
+PRECISE = 1e-6
+"""Places that rounding moves by less have digits enough."""
+
 
 def diagnose(fit: Fit) -> list[str]:
     """Say where a trajectory first differs from the run by more than rounding, and what it does there."""
     if fit.first is None:
         return []
-    digits, moved = fit.rounding
-    if moved <= fit.tolerance:
+    rounded = _rounded(fit)
+    if rounded is None:
         return _diagnose(fit, "the first row that differs is")
+    digits, moved = fit.rounding
     told, fitting = f"its numbers have {digits.speak()}", f"--tolerance {fitting_tolerance(moved):g}"
-    rounded = replace(fit, tolerance=moved)
     if rounded.first is None:
         where = _where(fit, fit.first, "the first row that differs is")
         return [where, f"{told}, and rounding explains every difference; {fitting} compares it so"]
     told += f", so that rounding explains differences of up to {moved:.2g} ({fitting})"
     return [told, *_diagnose(rounded, "the first row that differs by more is")]
+
+
+def _rounded(fit: Fit) -> Fit | None:
+    """Give the fit with the tolerance that the digits of the trajectory need, if rounding explains any difference."""
+    moved = fit.rounding[1]
+    rounded = replace(fit, tolerance=max(fit.tolerance, moved))
+    return rounded if fit.differs[: rounded.first].any() else None
 
 
 def _diagnose(fit: Fit, lead: str) -> list[str]:
@@ -117,12 +131,20 @@ def _cause(fit: Fit, ball: int) -> list[str]:
         return told
     carom = fit.run.velocities(min(time, fit.run.end_time))[ball, :2]
     now = motion.velocity if event is None else _carried(fit, event, motion.velocity, time)
-    change = now - carom
-    if np.linalg.norm(change) <= motion.noise + 1e-6 * np.linalg.norm(carom):
-        return told + _beside(fit, ball, carom)
+    change, speed = now - carom, float(np.linalg.norm(carom))
+    if motion.noise > COARSE * fit.fastest:
+        return told + _too_few_digits(fit)
+    if np.linalg.norm(change) <= motion.noise + 1e-6 * speed:
+        return told + (_beside(fit, ball, carom) if motion.noise <= FINE * speed else _too_few_digits(fit))
     if event is not None and _begins_at(fit, ball, event, change):
-        return told + _explain(fit, ball, event, motion)
+        return told + (_explain(fit, ball, event, motion) or _too_few_digits(fit))
     return told + _unforeseen(fit, ball, now, carom, change)
+
+
+def _too_few_digits(fit: Fit) -> list[str]:
+    """Say why no more is said, where it is for want of digits."""
+    digits, moved = fit.rounding
+    return [f"its numbers have {digits.speak()}, too few to tell what happens there"] if moved > PRECISE else []
 
 
 def _stopped_with(fit: Fit, ball: int) -> list[str]:
@@ -138,7 +160,7 @@ def _stopped_with(fit: Fit, ball: int) -> list[str]:
         return []
     for event in events:
         there = fit.run.positions(event.time)[ball, :2]
-        if np.linalg.norm(found - there) <= fit.tolerance + precision(fit):
+        if np.linalg.norm(found - there) <= nearness(fit, ball):
             return [
                 f"right before it is {speak_of(fit, event)}, and in the file {name} stops at that time too; in Carom's "
                 "run it goes on"

@@ -99,8 +99,13 @@ class Fit:
     @cached_property
     def rounding(self) -> tuple[Digits, float]:
         """The digits of the places, and how far rounding to them may have moved a ball."""
-        speeds = np.linalg.norm(self.run.velocities(np.minimum(self.rows.times, self.run.end_time)), axis=-1)
-        return find_rounding(self.rows.times, self.rows.places, float(speeds.max(initial=0.0)))
+        return find_rounding(self.rows.times, self.rows.places, self.fastest)
+
+    @cached_property
+    def fastest(self) -> float:
+        """The largest speed of a ball of the run at the times of the rows."""
+        times = np.minimum(self.rows.times, self.run.end_time)
+        return float(np.linalg.norm(self.run.velocities(times), axis=-1).max(initial=0.0))
 
     @cached_property
     def spacing(self) -> float | None:

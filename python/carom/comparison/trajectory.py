@@ -310,17 +310,18 @@ def _other_readings(fit: Fit, readings: ColumnTable | None, duration: float | No
     """Say which other readings of the fixed-step method the trajectory agrees with, to its own digits."""
     if readings is None or fit.agrees:
         return []
-    scenario, moved = fit.run.scenario, fit.rounding[1]
+    scenario, (digits, moved), lead = fit.run.scenario, fit.rounding, "it agrees"
     tolerance = max(fit.tolerance, moved)
     if tolerance > fit.tolerance:
         readings = try_readings(scenario, fit.rows, tolerance, duration=duration, partial=fit.partial)
-    if told := _agreeing_readings(fit.run, readings):
+        lead = f"to its {digits.speak()} it agrees"
+    if told := _agreeing_readings(fit.run, readings, lead):
         return told
     told_of_clock = restart_on_a_full_clock(scenario, fit.rows, tolerance)
     return [told_of_clock] if told_of_clock else []
 
 
-def _agreeing_readings(run: Run, readings: ColumnTable) -> list[str]:
+def _agreeing_readings(run: Run, readings: ColumnTable, lead: str) -> list[str]:
     own = own_reading(run.scenario.to_dict()["method"])
     names = [name for name in READINGS if name in readings.names]
     sentences = []
@@ -330,7 +331,7 @@ def _agreeing_readings(run: Run, readings: ColumnTable) -> list[str]:
             continue
         changed = ", ".join(f"{name} = {word}" for name, word in other.items())
         settings = " ".join(f"--set method.{name}={word}" for name, word in other.items())
-        sentences.append(f"it agrees with another reading of the method, {changed} ({settings})")
+        sentences.append(f"{lead} with another reading of the method, {changed} ({settings})")
     return sentences
 
 
@@ -339,8 +340,8 @@ def _notes(fit: Fit, source: Source, assignment: Assignment) -> list[str]:
     notes = ["read as " + ", ".join(f"{role} = {name}" for role, name in assignment.meaning.items())]
     if source.names is None:
         notes[0] += ", by number, as there is no header"
-    if assignment.left_out:
-        notes.append(f"columns not compared: {', '.join(assignment.left_out)}")
+    if left_out := [name for name in assignment.left_out if name]:
+        notes.append(f"columns not compared: {', '.join(left_out)}")
     absent = [name for ball, name in enumerate(run.ball_ids) if ball not in rows.balls]
     if absent:
         notes.append(f"balls not compared: {', '.join(absent)}")
