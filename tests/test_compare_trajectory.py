@@ -307,9 +307,10 @@ def test_rows_wrong_from_the_first_are_explained(
     [
         (lambda t: 1000 * t, "its times are 1000 times Carom's: milliseconds?"),
         (lambda t: round(t / 0.03), "its times count steps; Carom's are 0.03 times that."),
-        (lambda t: round(t / 0.03) + 1, "its times count steps, from 1 on"),
+        (lambda t: round(t / 0.03) + 1, "its times count steps, from 1 on; Carom's are 0.03 times that."),
         (lambda t: t + 0.06, "its clock starts at 0.06, Carom's at 0."),
-        (lambda t: 1000 * (t + 0.03), "its times are 1000 times Carom's, and do not start at 0."),
+        (lambda t: 1000 * (t + 0.03), "its times are 1000 times Carom's, from 30 on: milliseconds?"),
+        (lambda t: 60 * t, "its times are 60 times Carom's: another unit of time"),
     ],
 )
 def test_a_clock_that_runs_past_the_end_is_named(
@@ -322,6 +323,15 @@ def test_a_clock_that_runs_past_the_end_is_named(
         ((_, message),) = error.value.problems
         assert words in message
         assert end in message
+
+
+def test_without_a_time_step_a_clock_is_estimated(midterm: Scenario, tmp_path: Path) -> None:
+    rows = [(50.0 * t, *places) for t, *places in rows_of(midterm.run(), np.arange(0.0, 5.0, 0.02))]
+    course.write(tmp_path / "mine.csv", rows)
+    with pytest.raises(
+        TrajectoryError, match="its times are 50 times Carom's: .* With that set right, every row agrees"
+    ):
+        compare_trajectory(midterm, tmp_path / "mine.csv", columns=COLUMNS)
 
 
 def test_a_clock_too_slow_is_named(compared: Compared, right: list[course.Row]) -> None:

@@ -109,7 +109,7 @@ def _exact_text(value: Any) -> str:
 def _short_texts(column: Sequence[Any], *, small: bool) -> list[str]:
     """Give a column to look at: six digits, and zero for what is only round-off beside the column's largest."""
     if small:
-        return [f"{value:.2g}" if isinstance(value, float) else _exact_text(value) for value in column]
+        return [f"{value:.3g}" if isinstance(value, float) else _exact_text(value) for value in column]
     floats = [abs(value) for value in column if isinstance(value, float)]
     least = 1e-12 * max(floats) if len(floats) == len(column) and floats else 0.0
     return [_short_text(0.0 if isinstance(value, float) and abs(value) < least else value) for value in column]

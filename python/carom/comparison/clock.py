@@ -33,19 +33,32 @@ def explain_clock(run: Run, rows: Rows, tolerance: float) -> str | None:
 
 
 def _clocks(run: Run, rows: Rows) -> list[tuple[NDArray[np.float64], str]]:
-    """Give the times as other clocks would have them, each with what that clock does."""
-    first, times, step = float(rows.times[0]), rows.times, time_step(run)
-    clocks = [(times - first, f"its clock starts at {first:.6g}, Carom's at 0.")] if first > 0.0 else []
-    clocks.append((times / 1000.0, "its times are 1000 times Carom's: milliseconds?"))
-    if first > 0.0:
-        clocks.append(((times - first) / 1000.0, "its times are 1000 times Carom's, and do not start at 0."))
-    if step is None:
-        return clocks
-    clocks.append((times * step, f"its times count steps; Carom's are {step:.6g} times that."))
-    clocks.append((times / step, f"its times are {step:.6g} times Carom's, as when the time step is multiplied twice."))
-    if first > 0.0:
-        clocks.append(((times - first) * step, f"its times count steps, from {first:.6g} on; Carom's start at 0."))
+    """Give the times as other clocks would have them, each with what that clock does; the plainest come first."""
+    first, step = float(rows.times[0]), time_step(run)
+    elapsed, late = rows.times - first, "" if first == 0.0 else f", from {first:.6g} on"
+    clocks = [(elapsed, f"its clock starts at {first:.6g}, Carom's at 0.")]
+    clocks.append((elapsed / 1000.0, f"its times are 1000 times Carom's{late}: milliseconds?"))
+    if step is not None:
+        twice = "as when the time step is multiplied twice"
+        clocks.append((elapsed * step, f"its times count steps{late}; Carom's are {step:.6g} times that."))
+        clocks.append((elapsed / step, f"its times are {step:.6g} times Carom's{late}, {twice}."))
+    factor = _estimate(run, rows)
+    if factor is not None:
+        others = "another unit of time, or the number of the step?"
+        clocks.append((elapsed * factor, f"its times are {1.0 / factor:.6g} times Carom's{late}: {others}"))
     return clocks
+
+
+def _estimate(run: Run, rows: Rows) -> float | None:
+    """Give the part of its own time that Carom's run takes for the second row, were all balls on straight ways."""
+    velocities = run.velocities(0.0)[list(rows.balls), :2]
+    square = float(np.sum(velocities**2))
+    if len(rows) < LEAST_ROWS or square == 0.0:
+        return None
+    factor = (
+        float(np.sum(velocities * (rows.places[1] - rows.places[0]))) / square / float(rows.times[1] - rows.times[0])
+    )
+    return factor if factor > 0.0 else None
 
 
 def _leading(run: Run, rows: Rows, times: NDArray[np.float64], tolerance: float) -> int:
