@@ -329,9 +329,14 @@ def test_without_a_time_step_a_clock_is_estimated(midterm: Scenario, tmp_path: P
     rows = [(50.0 * t, *places) for t, *places in rows_of(midterm.run(), np.arange(0.0, 5.0, 0.02))]
     course.write(tmp_path / "mine.csv", rows)
     with pytest.raises(
-        TrajectoryError, match="its times are 50 times Carom's: .* With that set right, every row agrees"
+        TrajectoryError, match=r"its times are 50 times Carom's: .* With that set right, every row agrees"
     ):
         compare_trajectory(midterm, tmp_path / "mine.csv", columns=COLUMNS)
+
+
+def test_a_slow_ball_is_no_clock(compared: Compared, right: list[course.Row]) -> None:
+    text = said(compared([(t, 0.1 + 0.6 * t, 0.1 + 0.8 * t, 0.5, 1.0) for t, *_ in right]))
+    assert "from the start red moves with the velocity (0.6, 0.8) in the file, (3, 4) in Carom's run" in text
 
 
 def test_a_clock_too_slow_is_named(compared: Compared, right: list[course.Row]) -> None:

@@ -19,10 +19,13 @@ LEAST_ROWS = 4
 """So many rows in which a ball has moved make another clock more than chance."""
 
 
-def explain_clock(run: Run, rows: Rows, tolerance: float) -> str | None:
-    """Say which plain change of the clock makes the first rows agree, if one does and they do not as they are."""
+def explain_clock(run: Run, rows: Rows, tolerance: float, *, any_factor: bool) -> str | None:
+    """Say which plain change of the clock makes the first rows agree, if one does and they do not as they are.
+
+    Any factor is tried where no ball can be taken for one of another speed: where times are past the run's end.
+    """
     best, told = max(_leading(run, rows, rows.times, tolerance), LEAST_ROWS - 1), None
-    for times, words in _clocks(run, rows):
+    for times, words in _clocks(run, rows, any_factor=any_factor):
         count = _leading(run, rows, times, tolerance)
         if count > best:
             best, told = count, words
@@ -32,7 +35,7 @@ def explain_clock(run: Run, rows: Rows, tolerance: float) -> str | None:
     return f"{told} With that set right, {until}"
 
 
-def _clocks(run: Run, rows: Rows) -> list[tuple[NDArray[np.float64], str]]:
+def _clocks(run: Run, rows: Rows, *, any_factor: bool) -> list[tuple[NDArray[np.float64], str]]:
     """Give the times as other clocks would have them, each with what that clock does; the plainest come first."""
     first, step = float(rows.times[0]), time_step(run)
     elapsed, late = rows.times - first, "" if first == 0.0 else f", from {first:.6g} on"
@@ -42,8 +45,7 @@ def _clocks(run: Run, rows: Rows) -> list[tuple[NDArray[np.float64], str]]:
         twice = "as when the time step is multiplied twice"
         clocks.append((elapsed * step, f"its times count steps{late}; Carom's are {step:.6g} times that."))
         clocks.append((elapsed / step, f"its times are {step:.6g} times Carom's{late}, {twice}."))
-    factor = _estimate(run, rows)
-    if factor is not None:
+    if any_factor and (factor := _estimate(run, rows)):
         others = "another unit of time, or the number of the step?"
         clocks.append((elapsed * factor, f"its times are {1.0 / factor:.6g} times Carom's{late}: {others}"))
     return clocks
@@ -55,9 +57,8 @@ def _estimate(run: Run, rows: Rows) -> float | None:
     square = float(np.sum(velocities**2))
     if len(rows) < LEAST_ROWS or square == 0.0:
         return None
-    factor = (
-        float(np.sum(velocities * (rows.places[1] - rows.places[0]))) / square / float(rows.times[1] - rows.times[0])
-    )
+    passed = float(np.sum(velocities * (rows.places[1] - rows.places[0]))) / square
+    factor = passed / float(rows.times[1] - rows.times[0])
     return factor if factor > 0.0 else None
 
 

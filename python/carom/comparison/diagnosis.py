@@ -68,14 +68,14 @@ def _explain_times(fit: Fit) -> list[str]:
     """Say how the places are Carom's at other times, where they are."""
     told = find_shift(fit)
     if told is None and fit.first is not None and fit.first <= 1:
-        told = explain_clock(fit.run, fit.rows, fit.tolerance)
+        told = explain_clock(fit.run, fit.rows, fit.tolerance, any_factor=False)
     return [told] if told else []
 
 
 def explain_break(fit: Fit) -> list[str]:
     """Say what comes right before the row that has no place, where the rows agree until then."""
     broken = fit.rows.broken
-    if broken is None or fit.first is not None or fit.partial:
+    if broken is None or fit.first is not None or broken.time > fit.limit:
         return []
     name = fit.run.ball_ids[broken.ball]
     events = fit.run.events.by_ball(name).by_time(0.0, broken.time)
