@@ -23,6 +23,7 @@ PART = 1e-6
 
 CLEAR = 20.0
 """A component is clear of what rows leave open that is so many times larger."""
+SIDES = ("left", "right", "bottom", "top")
 LEAST_STAY = 3
 """A ball stays at a cushion that is there in so many rows."""
 
@@ -43,7 +44,8 @@ def explain_place(fit: Fit, event: Event, ball: int) -> list[str]:
 
 def _side(fit: Fit, event: Event, ball: int) -> tuple[int, float, float] | None:
     """Give the side of a rectangle's box: the axis across it, the sign outwards, where the centre turns."""
-    if fit.run.scenario.to_dict().get("table", {}).get("shape") != "rectangle" or 0.0 not in event.normal:
+    shape = fit.run.scenario.to_dict().get("table", {}).get("shape")
+    if shape != "rectangle" or event.cushion not in SIDES:
         return None
     axis = int(np.argmax(np.abs(event.normal)))
     sign = 1.0 if just_before(fit, event, ball)[axis] > 0.0 else -1.0
