@@ -361,6 +361,14 @@ def test_restarts_on_a_full_clock_are_told_with_their_reading(compared: Compared
     assert "but its clock" not in said(compared([(0.03 * place, *row[1:]) for place, row in enumerate(astray)]))
 
 
+def test_restarts_on_a_full_clock_may_run_past_the_end(scheme: Scenario, tmp_path: Path) -> None:
+    rows = [(0.03 * place, *row[1:]) for place, row in enumerate(course.simulate(restart=True, full=True))]
+    assert rows[-1][0] > 5.03
+    path = course.write(tmp_path / "mine.csv", rows)
+    with pytest.raises(TrajectoryError, match=r"places of after_hit = restart, normal = before, but its clock"):
+        compare_trajectory(scheme, path, columns=COLUMNS)
+
+
 def test_another_time_step_than_the_scenario_s_is_named(compared: Compared, right: list[course.Row]) -> None:
     note = "its times go in steps of 0.01, the scenario's method in steps of 0.03; --dt 0.01 compares it so"
     assert note in compared(course.simulate(0.01)).notes

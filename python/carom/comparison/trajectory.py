@@ -299,7 +299,10 @@ def _check_end(run: Run, rows: Rows, tolerance: float, *, partial: bool) -> None
         return f"{rows.source.name}, {rows.where(row)}", f"t = {rows.times[row]:.10g} is after the run's end"
 
     if len(late):
-        if told := explain_clock(run, rows, tolerance, any_factor=True):
+        told = explain_clock(run, rows, tolerance, any_factor=True)
+        if told is None and time_step(run) is not None:
+            told = restart_on_a_full_clock(run.scenario, rows, tolerance)
+        if told is not None:
             raise TrajectoryError([(rows.source.name, told)])
         longer = f"the run ends at t = {run.end_time:.10g}; --duration sets another end, or compares a part"
         problems = listed(late, describe, "rows after the run's end", rows.source.name)
