@@ -70,7 +70,7 @@ def test_two_runs_write_tables_and_figures(tmp_path: Path) -> None:
     assert float(rows[-1]["time"]) == 5.0
     comparison = carom.compare(carom.load("midterm"), carom.load("midterm_stepped"))
     assert [float(row["red.distance"]) for row in rows] == comparison.table["red.distance"].tolist()
-    assert shell(*words).code == 1
+    assert shell(*words).code == 2
     fine("compare", "midterm", "--dt", "0.03", "--out", out, "--overwrite")
     assert names_in(out) == {"comparison.csv", "errors.png"}
 
@@ -145,7 +145,7 @@ def test_a_file_that_cannot_be_read_is_one_line_for_each_problem(tmp_path: Path)
     path = tmp_path / "mine.csv"
     path.write_text("t,xr,yr,xb,yb\n0,a,0,0,0\n1,0,0,0\n", encoding="utf-8")
     done = shell("compare", "midterm", "--with", path, *NAMES)
-    assert (done.code, done.stdout) == (1, "")
+    assert (done.code, done.stdout) == (2, "")
     assert done.stderr.splitlines() == [
         f"error: {path}, line 3: 4 columns, and the header has 5",
         f"error: {path}, line 2, xr: 'a' is not a number",
@@ -157,6 +157,48 @@ def test_delimiters_have_names(tmp_path: Path, word: str, delimiter: str) -> Non
     header = "t,xr,yr,xb,yb".replace(",", delimiter)
     path = course.write(tmp_path / "mine.csv", course.simulate(), header, delimiter)
     fine("compare", "midterm_stepped", "--with", path, *NAMES, "--delimiter", word)
+
+
+def test_a_file_of_german_excel_is_read(tmp_path: Path) -> None:
+    path = course.write(tmp_path / "mine.csv", course.simulate(), "Zeit;x rot;y rot;x blau;y blau", ";")
+    path.write_text("sep=;\n" + path.read_text(encoding="utf-8").replace(".", ","), encoding="utf-8-sig")
+    words = ("compare", "midterm_stepped", "--with", path)
+    assert "--delimiter ';'" in shell(*words, *NAMES).stderr
+    assert '--columns "Zeit,x rot,y rot,x blau,y blau"' in shell(*words, *NAMES, "--delimiter", ";").stderr
+    words = (*words, "--delimiter", ";", "--columns", "Zeit,x rot,y rot,x blau,y blau")
+    assert "--decimal ," in shell(*words).stderr
+    fine(*words, "--decimal", ",")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("midtrem", "--with", "mine.csv"),
+        ("midterm", "--with", "none.csv"),
+        ("midterm", "--with", "mine.csv"),
+        ("midterm", "midtrem"),
+        ("midterm", "--dt", "x"),
+    ],
+)
+def test_what_could_not_be_compared_is_told_from_what_differs(
+    words: tuple[str, ...], mine: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(mine.parent)
+    done = shell("compare", *words)
+    assert (done.code, done.stdout) == (2, "")
+    assert "error" in done.stderr.lower()
+
+
+def test_a_reading_that_lacks_something_says_so(tmp_path: Path) -> None:
+    path = course.write(tmp_path / "mine.csv", course.simulate(restart=True, full=True))
+    words = ("compare", "midterm_stepped", "--with", path, *NAMES)
+    done = shell(*words)
+    note = "after_hit = restart, normal = before, last_step = short has all its rows within the tolerance, but does not"
+    assert f"{note} agree: 1 row is after the run's end at t = 5" in done.stdout
+    assert "why" not in done.stdout
+    why = {row["why"] for row in json.loads(shell(*words, "--json").stdout)["readings"]}
+    assert len(why) == 2
+    assert any(each.startswith("1 row is after the run's end") for each in why)
 
 
 def test_a_saved_run_is_compared_with_a_file(tmp_path: Path, mine: Path, stepped: carom.Run) -> None:
@@ -181,6 +223,9 @@ def test_a_saved_run_is_compared_with_a_file(tmp_path: Path, mine: Path, stepped
         (("midterm", "--with", "x.csv", "--dt", "0.1,0.2"), "--dt", "one time step"),
         (("midterm", "--with", "x.csv", "--method", "exact", "--dt", "0.1"), "--dt", "belongs to --method stepped"),
         (("midterm", "--with", "x.csv", "--delimiter", "ab"), "--delimiter", "one character, tab or space"),
+        (("midterm", "--with", "x.csv", "--decimal", "x"), "--decimal", "neither . nor ,"),
+        (("midterm", "--with", "x.csv", "--decimal", ","), "--decimal", "the delimiter already"),
+        (("midterm", "midterm", "--decimal", ","), "--decimal", "two runs"),
         (("midterm", "--with", "x.csv", "--tolerance", "-1"), "--tolerance", "greater than or equal to 0"),
         (("midterm", "midterm", "--tolerance", "nan"), "--tolerance", "greater than or equal to 0"),
         (("midterm", "--with", "x.csv", "--tolerance", "inf"), "--tolerance", "must be finite"),

@@ -163,6 +163,26 @@ def test_a_tolerance_is_kept_to_the_bit(midterm: Scenario) -> None:
         ("missed", r"both balls go straight on: this collision is missing"),
         ("whole", r"the balls exchange their whole velocities"),
         ("one only", r"momentum is not kept in the file: \(1\.536, -2\.048\) before this collision, \(3\.33"),
+        (
+            "full clock",
+            r"places of after_hit = restart, normal = before, but its clock goes on by 0\.03 in every step",
+        ),
+        (
+            "full clock",
+            r"the contact of blue with the right cushion at t = 1\.16683, in step 38, .* red stops at that time too",
+        ),
+        (
+            "no radius",
+            r"goes past x = 0\.925, .* the right cushion, to x = 1 in line \d+, .*, as if the ball had no radius",
+        ),
+        ("past", r"past x = 0\.925, .* to x = 1 in line 12, and comes back: it goes straight on until then"),
+        ("not turned", r"red stays at the right cushion, x = 0\.925, from line 12 on, as when .* is not turned back"),
+        ("long t", r"tangential component of red is multiplied by 2\.00668 = \|t\|\^2 for t = \[1, -n1/n2\]"),
+        (
+            "long n and t",
+            r"normal component .* by 0\.04397\d* = \|n\|\^2 .* by 2\.00668 = \|t\|\^2 .* n and t of length 1",
+        ),
+        ("exact time", r"the balls meet where they touch exactly, 0\.000341 later than the formula"),
         ("one only", r"blue's velocity goes from \(0, 0\) to \(1\.79\d+, -1\.78\d+\) \(as in Carom's run\)"),
     ],
 )
@@ -269,6 +289,7 @@ def test_a_change_without_an_event_is_named(compared: Compared, midterm: Scenari
         (lambda t, a, b, c, d: (t, b, a, d, c), "x and y are exchanged"),
         (lambda t, a, b, c, d: (t, 100 * a, 100 * b, 100 * c, 100 * d), "100 times Carom's: another unit"),
         (lambda t, a, b, c, d: (t, a - 0.5, b - 1, c - 0.5, d - 1), r"moved by \(-0.5, -1\): another origin"),
+        (lambda t, a, b, c, d: (t, a, c, b, d), "in the order red.x, blue.x, red.y, blue.y: are they named"),
         (lambda t, a, b, c, d: (t + 0.03, a, b, c, d), "0.03 earlier in time: its clock is off"),
     ],
 )
@@ -276,6 +297,160 @@ def test_rows_wrong_from_the_first_are_explained(
     compared: Compared, right: list[course.Row], change: Callable[..., course.Row], words: str
 ) -> None:
     assert re.search(words, said(compared([change(*row) for row in right[:-2]])))
+
+
+# Clocks
+
+
+@pytest.mark.parametrize(
+    ("clock", "words"),
+    [
+        (lambda t: 1000 * t, "its times are 1000 times Carom's: milliseconds?"),
+        (lambda t: round(t / 0.03), "its times count steps; Carom's are 0.03 times that."),
+        (lambda t: round(t / 0.03) + 1, "its times count steps, from 1 on; Carom's are 0.03 times that."),
+        (lambda t: t + 0.06, "its clock starts at 0.06, Carom's at 0."),
+        (lambda t: 1000 * (t + 0.03), "its times are 1000 times Carom's, from 30 on: milliseconds?"),
+        (lambda t: 60 * t, "its times are 60 times Carom's: another unit of time"),
+    ],
+)
+def test_a_clock_that_runs_past_the_end_is_named(
+    scheme: Scenario, right: list[course.Row], tmp_path: Path, clock: Callable[[float], float], words: str
+) -> None:
+    for rows, end in ((right, "every row agrees"), (course.simulate(mistake="swapped"), "agree up to line 33")):
+        path = course.write(tmp_path / "mine.csv", [(clock(row[0]), *row[1:]) for row in rows])
+        with pytest.raises(TrajectoryError) as error:
+            compare_trajectory(scheme, path, columns=COLUMNS)
+        ((_, message),) = error.value.problems
+        assert words in message
+        assert end in message
+
+
+def test_without_a_time_step_a_clock_is_estimated(midterm: Scenario, tmp_path: Path) -> None:
+    rows = [(50.0 * t, *places) for t, *places in rows_of(midterm.run(), np.arange(0.0, 5.0, 0.02))]
+    course.write(tmp_path / "mine.csv", rows)
+    with pytest.raises(
+        TrajectoryError, match=r"its times are 50 times Carom's: .* With that set right, every row agrees"
+    ):
+        compare_trajectory(midterm, tmp_path / "mine.csv", columns=COLUMNS)
+
+
+def test_a_slow_ball_is_no_clock(compared: Compared, right: list[course.Row]) -> None:
+    text = said(compared([(t, 0.1 + 0.6 * t, 0.1 + 0.8 * t, 0.5, 1.0) for t, *_ in right]))
+    assert "from the start red moves with the velocity (0.6, 0.8) in the file, (3, 4) in Carom's run" in text
+
+
+def test_a_clock_too_slow_is_named(compared: Compared, right: list[course.Row]) -> None:
+    text = said(compared([(0.03 * row[0], *row[1:]) for row in right]))
+    assert "its times are 0.03 times Carom's, as when the time step is multiplied twice" in text
+
+
+def test_rows_that_are_wrong_make_up_no_clock(scheme: Scenario, tmp_path: Path) -> None:
+    rows = [(1000.0 * place, 0.1, 0.1, 0.5, 1.0) for place in range(100)]
+    course.write(tmp_path / "mine.csv", rows)
+    with pytest.raises(TrajectoryError, match="--duration sets another end"):
+        compare_trajectory(scheme, tmp_path / "mine.csv", columns=COLUMNS)
+
+
+@pytest.mark.parametrize("normal", ["before", "contact"])
+def test_restarts_on_a_full_clock_are_told_with_their_reading(compared: Compared, normal: str) -> None:
+    rows = course.simulate(restart=True, full=True, normal=normal)[:168]
+    text = said(compared([(0.03 * place, *row[1:]) for place, row in enumerate(rows)]))
+    assert f"after_hit = restart, normal = {normal}, but its clock" in text
+    assert ("--set method.normal=contact" in text) == (normal == "contact")
+    astray = [(row[0], row[1] + 1e-3 * (place > 100), *row[2:]) for place, row in enumerate(rows)]
+    assert "but its clock" not in said(compared([(0.03 * place, *row[1:]) for place, row in enumerate(astray)]))
+
+
+def test_restarts_on_a_full_clock_may_run_past_the_end(scheme: Scenario, tmp_path: Path) -> None:
+    rows = [(0.03 * place, *row[1:]) for place, row in enumerate(course.simulate(restart=True, full=True))]
+    assert rows[-1][0] > 5.03
+    path = course.write(tmp_path / "mine.csv", rows)
+    with pytest.raises(TrajectoryError, match=r"places of after_hit = restart, normal = before, but its clock"):
+        compare_trajectory(scheme, path, columns=COLUMNS)
+
+
+def test_another_time_step_than_the_scenario_s_is_named(compared: Compared, right: list[course.Row]) -> None:
+    note = "its times go in steps of 0.01, the scenario's method in steps of 0.03; --dt 0.01 compares it so"
+    assert note in compared(course.simulate(0.01)).notes
+    assert note not in compared(course.simulate(mistake="swapped")).notes
+
+
+# Digits
+
+
+@pytest.mark.parametrize(
+    ("form", "digits", "tolerance"),
+    [
+        ("%.4g", "4 significant digits", 1e-3),
+        ("%.5g", "5 significant digits", 1e-4),
+        ("%.2f", "2 decimals", 1e-2),
+        ("%.4f", "4 decimals", 1e-4),
+    ],
+)
+def test_few_digits_are_named_and_not_taken_for_physics(
+    compared: Compared, right: list[course.Row], form: str, digits: str, tolerance: float
+) -> None:
+    comparison = compared(right, form=form)
+    assert not comparison
+    assert comparison.reasons[-1] == (
+        f"its numbers have {digits}, and rounding explains every difference; --tolerance {tolerance:g} compares it so"
+    )
+    assert "cushion" not in said(comparison)
+    assert compared(right, form=form, tolerance=tolerance)
+    if form == "%.2f":
+        return  # with two decimals some times of a restart stand twice
+    told = said(compared(course.simulate(restart=True), form=form))
+    assert "agrees with another reading of the method, after_hit = restart (" in told
+
+
+def test_a_mistake_is_found_below_few_digits(compared: Compared) -> None:
+    text = said(compared(course.simulate(mistake="one only"), form="%.4f"))
+    assert "its numbers have 4 decimals, so that rounding explains differences of up to 7.1e-05 (--tol" in text
+    assert "the first row that differs by more is line 34, t = 0.96" in text
+    assert "collision of red and blue at t = 0.923317" in text
+
+
+@pytest.mark.parametrize("form", ["%.4g", "%.5g"])
+@pytest.mark.parametrize("mistake", course.MISTAKES)
+def test_few_digits_make_up_no_other_mistake(compared: Compared, mistake: str, form: str) -> None:
+    """What is said of a rounded file is said of the whole one, or nothing is."""
+    rounded, whole = (said(compared(course.simulate(mistake=mistake), form=each)) for each in (form, "%r"))
+    for words in ("turned by", "exactly", "same velocity", "hardly move", "exchange their whole", "stops at that time"):
+        assert words not in rounded or words in whole
+    assert ("nothing is damped" in rounded) == (mistake == "undamped")
+    assert ("only the normal component is damped" in rounded) == (mistake == "normal only")
+
+
+def test_two_decimals_are_too_few_for_a_velocity(compared: Compared) -> None:
+    text = said(compared(course.simulate(mistake="swapped"), form="%.2f"))
+    assert text.endswith("its numbers have 2 decimals, too few to tell what happens there")
+
+
+def test_a_few_round_numbers_are_no_rounding(compared: Compared, right: list[course.Row]) -> None:
+    assert "its numbers have" not in said(compared([(row[0], 0.1, 0.1, 0.5, 1.0) for row in right]))
+
+
+def test_two_places_never_look_the_same(compared: Compared, right: list[course.Row]) -> None:
+    rows = [(*row[:4], row[4] + 1e-9) for row in right]
+    first = next(reason for reason in compared(rows, tolerance=1e-10).reasons if "first row that differs" in reason)
+    assert "blue is at (0.5, 1.000000001), in Carom's run at (0.5, 1), 1e-09 apart" in first
+
+
+# Numbers that end
+
+
+def test_rows_up_to_the_first_without_a_place_are_compared(compared: Compared, right: list[course.Row]) -> None:
+    for place, told in ((32, True), (60, False)):
+        rows = right[:place] + [(row[0], *4 * (float("nan"),)) for row in right[place:]]
+        comparison = compared(rows)
+        text = said(comparison)
+        assert not comparison
+        assert len(comparison.times) == place
+        assert f"it has no place in line {place + 2}, t = {rows[place][0]:g}: xr = nan, yr = nan" in text
+        assert "the last event of red before it is the collision of red and blue at t = 0.923317" in text
+        assert ("t = [1, -n1/n2] gives infinity or NaN where n2 = 0" in text) == told
+        assert compared(rows, duration=0.9)
+        assert not compared(rows, duration=3.0)
 
 
 # Rows that are lost
@@ -515,8 +690,10 @@ HEAD = "t,xr,yr,xb,yb\n0,0.1,0.1,0.5,1\n"
         (HEAD + "0.03,0.1,0.2,0.5,\n", [("mine, line 3, yb", "is empty")]),
         (HEAD + "0.03,0.1,0.2,0.5\n", [("mine, line 3", "4 columns, and the header has 5")]),
         (HEAD + "\n0.03,0.1,0.2,0.5,1,9\n", [("mine, line 4", "6 columns, and the header has 5")]),
-        (HEAD + "0.03,0.1,nan,0.5,1\n", [("mine, line 3, yr", "must be finite, got nan")]),
-        (HEAD + "0.03,0.1,1e999,0.5,1\n", [("mine, line 3, yr", "must be finite, got inf")]),
+        (HEAD.replace("0.1,0.1", "0.1,nan"), [("mine, line 2, yr", "must be finite, got nan")]),
+        (HEAD.replace("0.1,0.1", "0.1,1e999"), [("mine, line 2, yr", "must be finite, got inf")]),
+        (HEAD + "nan,0.1,0.1,0.5,1\n", [("mine, line 3, t", "must be finite, got nan")]),
+        ("sep=;\n" + HEAD, [("mine, line 1", "its first line says that ';' is the delimiter, not ','")]),
         (HEAD + "0.0,0.1,0.2,0.5,1\n", [("mine, line 3", "times must ascend: 0 stands twice")]),
         (HEAD + "2,0.1,0.2,0.5,1\n1,0,0,0,0\n", [("mine, line 4", "times must ascend: 1 comes after 2")]),
         (HEAD.replace("\n0", "\n-1"), [("mine, line 2", "the time is negative: -1")]),
@@ -530,7 +707,12 @@ HEAD = "t,xr,yr,xb,yb\n0,0.1,0.1,0.5,1\n"
             "t,xr,yr,xb,yb\n" + "0,03,0,1,0,1,0,5,1,0\n",
             [("mine, line 2", "10 columns, and the header has 5; are these")],
         ),
-        (b"t,xr,yr,xb,yb\n0,0,0,0,\xff\n", [("mine", "not a text in UTF-8 (byte 22)")]),
+        (b"t,xr,yr,xb,yb\n0,0,0,0,\xff\n", [("mine", "not a text in UTF-8 (line 2, byte 0xff); save it as")]),
+        (
+            b"t,xr,yr,xb,yb\n" + b"0,0,0,0,0\n" * 9000 + b"\xff",
+            [("mine", "not a text in UTF-8 (line 9002, byte 0xff)")],
+        ),
+        (HEAD.encode("utf-16"), [("mine", 'a text in UTF-16; save it as "CSV UTF-8"')]),
     ],
 )
 def test_a_wrong_file_is_an_error_with_its_place(
@@ -548,7 +730,7 @@ def test_many_problems_are_counted(scheme: Scenario, tmp_path: Path) -> None:
     found = problems_of(scheme, tmp_path, HEAD + "\n".join(lines), columns=COLUMNS)
     assert [place for place, _ in found] == [*(f"mine, line {line}, xr" for line in range(3, 8)), "mine"]
     assert found[-1][1] == "and 95 more values that are no numbers"
-    text = HEAD + "\n".join(f"{t},nan,0.2,0.5,1" for t in range(1, 101))
+    text = HEAD + "\n".join("nan,0.1,0.2,0.5,1" for _ in range(100))
     assert problems_of(scheme, tmp_path, text, columns=COLUMNS)[-1][1] == "and 95 more values that are not finite"
 
 
@@ -564,7 +746,37 @@ def test_another_delimiter_is_named(scheme: Scenario, tmp_path: Path) -> None:
 def test_decimal_commas_are_named(scheme: Scenario, tmp_path: Path) -> None:
     text = "t;xr;yr;xb;yb\n0;0,1;0,1;0,5;1\n"
     found = problems_of(scheme, tmp_path, text, columns=COLUMNS, delimiter=";")
-    assert found[0] == ("mine, line 2, xr", "'0,1' has a decimal comma; write a decimal point")
+    assert found[0] == (
+        "mine, line 2, xr",
+        "'0,1' has a decimal comma: --decimal , reads it (Python: decimal=',')",
+    )
+
+
+@pytest.mark.parametrize("header", ["t;xr;yr;xb;yb", ""])
+@pytest.mark.parametrize("before", ["", "sep=;\n", "# from Excel\n"])
+def test_decimal_commas_are_read(
+    scheme: Scenario, right: list[course.Row], tmp_path: Path, header: str, before: str
+) -> None:
+    path = course.write(tmp_path / "mine.csv", right, header, ";")
+    path.write_text(before + path.read_text(encoding="utf-8").replace(".", ","), encoding="utf-8-sig")
+    assert compare_trajectory(scheme, path, columns=COLUMNS, delimiter=";", decimal=",")
+    path.write_text(path.read_text(encoding="utf-8-sig") + "5,1;x;0;0;0\n", encoding="utf-8")
+    with pytest.raises(TrajectoryError, match="'x' is not a number"):
+        compare_trajectory(scheme, path, columns=COLUMNS, delimiter=";", decimal=",")
+
+
+def test_the_decimal_mark_is_a_point_or_a_comma_and_not_the_delimiter(scheme: Scenario, tmp_path: Path) -> None:
+    for decimal in (",", "x", ""):
+        with pytest.raises(ValueError, match="decimal: must be"):
+            compare_trajectory(scheme, tmp_path, decimal=decimal)
+
+
+def test_as_many_other_names_are_told_in_order(scheme: Scenario, tmp_path: Path) -> None:
+    text = HEAD.replace("t,xr,yr,xb,yb", "time in s,x red,y red,x blue,y blue")
+    found = problems_of(scheme, tmp_path, text, columns=COLUMNS)
+    assert found[-1][1].endswith('--columns "time in s,x red,y red,x blue,y blue"')
+    fewer = problems_of(scheme, tmp_path, text.replace(",y blue", ""), columns=COLUMNS)
+    assert "in that order" not in fewer[-1][1]
 
 
 def test_times_after_the_end_are_an_error_that_says_how_to_go_on(midterm: Scenario, tmp_path: Path) -> None:
@@ -598,7 +810,7 @@ def test_wrong_tables_are_errors(midterm: Scenario) -> None:
         ({"red.x": ["a", 1.0, 2.0]}, "row 0, red.x: 'a' is not a number"),
         ({"red.x": [1.0, 2.0]}, "columns of different length: time 3, red.x 2"),
         ({"red.x": [[1.0], [2.0], [3.0]]}, "must be one column"),
-        ({"red.x": [1.0, np.nan, 2.0]}, "row 1, red.x: must be finite, got nan"),
+        ({"red.x": [np.nan, 1.0, 2.0]}, "row 0, red.x: must be finite, got nan"),
     ):
         with pytest.raises(TrajectoryError, match=re.escape(words)):
             compare_trajectory(midterm, {**good, **change})

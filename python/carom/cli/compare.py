@@ -13,7 +13,7 @@ from carom.cli.compare_runs import compare_runs
 from carom.cli.compare_steps import compare_steps
 from carom.cli.compare_trajectory import Asked, TrajectoryFile, compare_trajectory
 from carom.cli.comparing import Destination, check_place
-from carom.cli.output import reporting
+from carom.cli.output import TROUBLE, reporting
 from carom.cli.run import MethodName
 
 SettingsOfA = Annotated[
@@ -25,7 +25,7 @@ SettingsOfB = Annotated[
 ]
 
 
-@reporting()
+@reporting(TROUBLE)
 def compare(
     a: Annotated[str, typer.Argument(metavar="A", help=options.SCENARIO_OR_RUN, show_default=False)],
     b: Annotated[str | None, typer.Argument(metavar="B", help="The same, to compare A with.")] = None,
@@ -47,6 +47,9 @@ def compare(
     delimiter: Annotated[
         str | None, typer.Option(metavar="C", help="Between FILE's columns: one character, tab or space.  [default: ,]")
     ] = None,
+    decimal: Annotated[
+        str | None, typer.Option(metavar="C", help="What stands before FILE's decimals: . or ,  [default: .]")
+    ] = None,
     dt: Annotated[
         list[str] | None,
         typer.Option(metavar="LIST", help="Time steps, comma separated.  [default: 0.1 down to 0.00001]"),
@@ -65,17 +68,20 @@ def compare(
 
     With A and B (or --set-a, --set-b): the first event that differs, and how far the balls come apart.
 
-    With --with FILE: whether the trajectory in a CSV file agrees with A, and if not, what is wrong in which line; the
-    exit code is 0 where it agrees, else 1.
+    With --with FILE: whether the trajectory in a CSV file agrees with A, and if not, what is wrong in which line.
 
     With A alone: the stepped method beside the exact run, for each of some time steps: how many events it misses and
     adds; the time that balls lost waiting at contacts; the deepest overlap of two balls, within steps too; how far from
     its exact place the worst ball ends.
 
     With --out also write the tables as CSV, comparison.csv first, and figures.
+
+    The exit code is 0, or 1 where FILE does not agree or the runs are farther apart than --tolerance; it is 2 where
+    nothing could be compared.
     """
     two = b is not None or bool(settings_a) or bool(settings_b)
     given: dict[str, Any] = {"--dt": dt, "--method": method, "--columns": columns, "--delimiter": delimiter}
+    given |= {"--decimal": decimal}
     given |= {"B": b, "--set-a": settings_a, "--set-b": settings_b, "--tolerance": tolerance}
     if tolerance is not None and not tolerance < float("inf"):
         raise typer.BadParameter("must be finite", param_hint="--tolerance")
@@ -83,14 +89,16 @@ def compare(
     if trajectory is not None:
         _refuse(given, ("B", "--set-a", "--set-b"), "--with compares FILE with A alone")
         check_place(place)
-        file = TrajectoryFile(trajectory, columns, delimiter, tolerance)
+        file = TrajectoryFile(trajectory, columns, delimiter, decimal, tolerance)
         compare_trajectory(Asked(a, method, dt, duration, settings), file, place)
     elif two:
-        _refuse(given, ("--dt", "--method", "--columns", "--delimiter"), "two runs are compared as they are")
+        _refuse(
+            given, ("--dt", "--method", "--columns", "--delimiter", "--decimal"), "two runs are compared as they are"
+        )
         check_place(place)
         compare_runs((a, b or a), duration, (settings or [], settings_a or [], settings_b or []), tolerance, place)
     else:
-        _refuse(given, ("--method", "--columns", "--delimiter"), "it belongs to --with FILE")
+        _refuse(given, ("--method", "--columns", "--delimiter", "--decimal"), "it belongs to --with FILE")
         _refuse(given, ("--tolerance",), "it belongs to B or --with FILE")
         compare_steps(a, dt, duration, settings, place)
 

@@ -28,6 +28,7 @@ class TrajectoryFile:
     path: Path
     columns: str | None
     delimiter: str | None
+    decimal: str | None
     tolerance: float | None
 
 
@@ -53,6 +54,7 @@ def compare_trajectory(asked: Asked, file: TrajectoryFile, place: Destination) -
         columns=file.columns,
         tolerance=DEFAULT_TOLERANCE if file.tolerance is None else file.tolerance,
         delimiter=delimiter,
+        decimal=_read_decimal(file.decimal, delimiter),
         duration=asked.duration,
     )
     tables = {MARK: comparison.table, "balls.csv": comparison.by_ball}
@@ -81,6 +83,14 @@ def _read_delimiter(text: str | None) -> str:
     return delimiter
 
 
+def _read_decimal(text: str | None, delimiter: str) -> str:
+    if text not in (None, ".", ","):
+        raise typer.BadParameter(f"{text!r} is neither . nor ,", param_hint="--decimal")
+    if text == delimiter:
+        raise typer.BadParameter(f"{text!r} is the delimiter already; --delimiter sets another", param_hint="--decimal")
+    return text or "."
+
+
 def _load(asked: Asked) -> Scenario | Run:
     import carom
 
@@ -96,6 +106,8 @@ def _load(asked: Asked) -> Scenario | Run:
 
 
 def _show(comparison: TrajectoryComparison, place: Destination, written: list[str]) -> None:
+    from carom.columns import ColumnTable
+
     first = comparison.first_difference
     facts = {
         "agrees": comparison.agrees,
@@ -114,5 +126,7 @@ def _show(comparison: TrajectoryComparison, place: Destination, written: list[st
     said += [("  ", note) for note in comparison.notes]
     tables = {"balls": comparison.by_ball}
     if comparison.readings is not None:
-        tables["readings"] = comparison.readings
+        readings = comparison.readings.to_dict()
+        # In words it is among the notes.
+        tables["readings"] = ColumnTable({name: readings[name] for name in readings if place.as_json or name != "why"})
     show(place, written, facts=facts, tables=tables, paragraphs=said)

@@ -89,7 +89,7 @@ def show(
     for table in tables.values():
         if len(table):
             print()
-            print_table(lists_of(table))
+            print_table(lists_of(table), small=("largest",))
 
 
 def lists_of(table: ColumnTable) -> dict[str, list[Any]]:

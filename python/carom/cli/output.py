@@ -6,7 +6,7 @@ import json
 import shutil
 import sys
 import textwrap
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -16,25 +16,27 @@ from carom.cli import INTERRUPTED
 from carom.errors import CaromError, ListedError
 
 PROBLEM = 1
+TROUBLE = 2
+"""The exit code of a comparison that could not be made, as of ``diff`` and ``cmp``; of wrong usage everywhere."""
 
 
 @contextmanager
-def reporting() -> Iterator[None]:
+def reporting(code: int = PROBLEM) -> Iterator[None]:
     """Turn what can go wrong in a command into lines on stderr and an exit code; also a decorator."""
     try:
         yield
     except ListedError as error:
         for place, message in error.problems:
             say_error(place, message)
-        raise typer.Exit(PROBLEM) from None
+        raise typer.Exit(code) from None
     except CaromError as error:
         say_error("", str(error))
-        raise typer.Exit(PROBLEM) from None
+        raise typer.Exit(code) from None
     except BrokenPipeError:
         raise
     except OSError as error:
         say_error(str(error.filename or ""), error.strerror or str(error))
-        raise typer.Exit(PROBLEM) from None
+        raise typer.Exit(code) from None
     except KeyboardInterrupt:
         raise typer.Exit(INTERRUPTED) from None
 
@@ -66,8 +68,14 @@ def print_paragraphs(paragraphs: Sequence[tuple[str, str]]) -> None:
             print((" " * len(mark) if number else mark) + line)
 
 
-def print_table(columns: Mapping[str, Sequence[Any]], *, title: str = "", most: int | None = None) -> None:
-    """Print columns: on a terminal as a table of at most so many rows, else complete and tab separated."""
+def print_table(
+    columns: Mapping[str, Sequence[Any]], *, title: str = "", most: int | None = None, small: Collection[str] = ()
+) -> None:
+    """Print columns: on a terminal as a table of at most so many rows, else complete and tab separated.
+
+    On a terminal a value that is only round-off beside the largest of its column is zero, but for columns of small
+    values: those whose values are themselves errors.
+    """
     rows = list(zip(*columns.values(), strict=True))
     if not sys.stdout.isatty():
         for row in [tuple(columns), *rows]:
@@ -77,7 +85,8 @@ def print_table(columns: Mapping[str, Sequence[Any]], *, title: str = "", most: 
     from rich.console import Console
     from rich.table import Table
 
-    shown = list(zip(*map(_short_texts, columns.values()), strict=True))[:most]
+    texts = (_short_texts(values, small=name in small) for name, values in columns.items())
+    shown = list(zip(*texts, strict=True))[:most]
     table = Table(title=title or None, title_justify="left", box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
     for name, values in columns.items():
         numeric = all(isinstance(value, (int, float)) for value in values)
@@ -97,8 +106,10 @@ def _exact_text(value: Any) -> str:
     return "" if value is None else str(value)
 
 
-def _short_texts(column: Sequence[Any]) -> list[str]:
+def _short_texts(column: Sequence[Any], *, small: bool) -> list[str]:
     """Give a column to look at: six digits, and zero for what is only round-off beside the column's largest."""
+    if small:
+        return [f"{value:.3g}" if isinstance(value, float) else _exact_text(value) for value in column]
     floats = [abs(value) for value in column if isinstance(value, float)]
     least = 1e-12 * max(floats) if len(floats) == len(column) and floats else 0.0
     return [_short_text(0.0 if isinstance(value, float) and abs(value) < least else value) for value in column]

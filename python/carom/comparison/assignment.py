@@ -67,7 +67,7 @@ def assign(source: Source, columns: ColumnNames | None, ball_ids: Sequence[str])
     if problems and source.names is not None and not set(wanted.values()) & set(source.names):
         problems = [(source.name, f"none of the columns {_shortened(list(wanted.values()))} is in it")]
     if problems:
-        raise TrajectoryError(problems + _advice(source))
+        raise TrajectoryError(problems + _advice(source, columns))
     found = {role: place for role, place in places.items() if isinstance(place, int)}
     _check_distinct(source, found, wanted)
     names = source.names or [str(column + 1) for column in range(source.width)]
@@ -162,7 +162,7 @@ def _check_distinct(source: Source, found: Mapping[str, int], wanted: Mapping[st
         seen[place] = role
 
 
-def _advice(source: Source) -> list[tuple[str, str]]:
+def _advice(source: Source, columns: ColumnNames | None) -> list[tuple[str, str]]:
     """Say what columns there are, and how to name them."""
     if source.names is None:
         return []
@@ -172,9 +172,18 @@ def _advice(source: Source) -> list[tuple[str, str]]:
         lines = [f"it has {source.width} {one}; {hint}"]
     elif source.odd_header:
         lines.append("its first line is read as a header, since not all of it are numbers")
+    elif _is_in_order(columns, source.width) and not any("," in name for name in source.names):
+        lines.append(f'as many as are named; if they are in that order: --columns "{",".join(source.names)}"')
     else:
         lines.append("say which is which, as in --columns time=t,red.x=xr,red.y=yr, balls left out not compared")
     return [(source.name, line) for line in lines]
+
+
+def _is_in_order(columns: ColumnNames | None, width: int) -> bool:
+    """Tell whether so many columns were named in order."""
+    if isinstance(columns, str):
+        return "=" not in columns and columns.count(",") + 1 == width
+    return columns is not None and not isinstance(columns, Mapping) and len(columns) == width
 
 
 def _speak_of_no_header(source: Source, roles: list[str]) -> str:

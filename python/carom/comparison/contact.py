@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.comparison.motion import just_after, just_before, said
+from carom.comparison.motion import MUCH_NEARER, just_after, just_before, precision, said
 
 if TYPE_CHECKING:
     from carom.comparison.fit import Fit
@@ -15,10 +15,47 @@ if TYPE_CHECKING:
     from carom.events import Event
 
 PART = 1e-6
+CLEAR = 20.0
+"""A component is clear of what rows leave open that is so many times larger."""
 HARDLY = 0.1
 """A ball hardly moves that goes less than this part of its way in the run."""
+SMALLEST_PART_OF_NORMAL = 1e-3
+"""Nearer to the x axis a normal has no tangent [1, -n1/n2] to speak of."""
 SMALLEST_ANGLE = 0.01
 """In degrees: a normal that is turned by less is not spoken of."""
+
+
+def met_exactly(fit: Fit, event: Event, balls: tuple[int, int]) -> list[str]:
+    """Find that balls of a stepped run stand, in the first row that differs, where they touch exactly."""
+    times = fit.step_times
+    if times is None or not fit.first or fit.rows.times[fit.first - 1] > event.time:
+        return []
+    start = float(times[max(int(np.searchsorted(times, event.time)) - 1, 0)])
+    places, velocities = (part[list(balls), :2] for part in fit.run.states(start))
+    later = _touching(places, velocities, sum(fit.run.scenario.balls[ball].radius or 0.0 for ball in balls))
+    if later is None or start + later - event.time <= 0.0:
+        return []
+    seen = [side for side in (0, 1) if balls[side] in fit.rows.balls]
+    late = (start + later - event.time) * float(np.linalg.norm(velocities, axis=1).max())
+    room = fit.tolerance + precision(fit)
+    if room > MUCH_NEARER * late:
+        return []
+    for side in seen:
+        found = fit.rows.places[fit.first, fit.rows.balls.index(balls[side])]
+        if np.linalg.norm(found - places[side] - later * velocities[side]) > room:
+            return []
+    return [
+        f"in the file the balls meet where they touch exactly, {start + later - event.time:.3g} later than the formula "
+        "(|x_r - x_b| - 2r) / |v_r - v_b| of the scheme says"
+    ]
+
+
+def _touching(places: Vector, velocities: Vector, reach: float) -> float | None:
+    """Give the time in which two balls on straight ways come so near to each other."""
+    apart, closing = places[0] - places[1], velocities[0] - velocities[1]
+    half, square = float(apart @ closing), float(closing @ closing)
+    root = half**2 - square * (float(apart @ apart) - reach**2)
+    return None if root < 0.0 or square == 0.0 else (-half - root**0.5) / square
 
 
 @dataclass(frozen=True)
@@ -46,7 +83,7 @@ class Contact:
         """Say what the balls do in the trajectory."""
         if len(self.seen) == 0:
             return []
-        steps = (self._straight, self._exchanged, self._momentum, self._direction, self._strength)
+        steps = (self._straight, self._exchanged, self._frame, self._momentum, self._direction, self._strength)
         return next((sentences for step in steps if (sentences := step())), [])
 
     @property
@@ -119,6 +156,52 @@ class Contact:
         if len(self.seen) < 2 or not all(self._same(self.velocity(side), self.before[1 - side]) for side in (0, 1)):
             return []
         return ["in the file the balls exchange their whole velocities, not only the components along the normal"]
+
+    def _frame(self) -> list[str]:
+        """Find that n and t = [1, -n1/n2] are not of length 1: what lies along them is multiplied by their squares."""
+        normal = self._normal(1)
+        tangent = np.array([-normal[1], normal[0]])
+        if abs(normal[1]) < SMALLEST_PART_OF_NORMAL or not self._goes_across(tangent):
+            return []
+        factor = 1.0 / float(normal[1]) ** 2
+        if factor - 1.0 <= MUCH_NEARER:
+            return []
+        size = self._distance() ** 2
+        told = f"is multiplied by {factor:.6g} = |t|^2 for t = [1, -n1/n2]"
+        if self._multiplied(normal, 1.0, tangent, factor):
+            names = " and ".join(self.names[side] for side in self.seen if self._across(side, tangent))
+            return [f"in the file the tangential component of {names} {told}: is t of length 1?"]
+        if self._multiplied(normal, size, tangent, factor):
+            return [
+                f"in the file the normal component after this collision is multiplied by {size:.6g} = |n|^2 for "
+                f"n = x_r - x_b, and the tangential one {told}: are n and t of length 1?"
+            ]
+        return []
+
+    def _across(self, side: int, tangent: Vector) -> bool:
+        return abs(float(self.before[side] @ tangent)) > CLEAR * self.room
+
+    def _goes_across(self, tangent: Vector) -> bool:
+        return any(self._across(side, tangent) for side in self.seen)
+
+    def _distance(self) -> float:
+        """Give the distance of the centres where the run takes the normal: at the contact, or before its step."""
+        times = self.fit.step_times
+        method = self.fit.run.scenario.to_dict().get("method", {})
+        time = self.event.time
+        if times is not None and method.get("normal", "before") == "before":
+            time = float(times[max(int(np.searchsorted(times, time)) - 1, 0)])
+        one, two = self.fit.run.positions(time)[list(self.balls), :2]
+        return float(np.linalg.norm(one - two))
+
+    def _multiplied(self, normal: Vector, along: float, tangent: Vector, across: float) -> bool:
+        """Tell whether the balls leave with Carom's components along normal and tangent, each times a factor."""
+        for side in self.seen:
+            carom = just_after(self.fit, self.event, self.balls[side])
+            wanted = along * (carom @ normal) * normal + across * (carom @ tangent) * tangent
+            if np.linalg.norm(self.velocity(side) - wanted) > 2.0 * across * self.room:
+                return False
+        return True
 
     def _momentum(self) -> list[str]:
         if len(self.seen) < 2:

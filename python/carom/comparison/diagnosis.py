@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.comparison.contact import Contact
-from carom.comparison.cushion import explain_cushion
+from carom.comparison.clock import explain_clock
+from carom.comparison.contact import Contact, met_exactly
+from carom.comparison.cushion import explain_cushion, explain_place
+from carom.comparison.digits import fitting_tolerance
 from carom.comparison.fit import CLOCK
-from carom.comparison.motion import Motion, Track, acceleration_of, precision, said, settled
+from carom.comparison.motion import Motion, Track, acceleration_of, nearness, precision, said, settled
 from carom.comparison.shift import find_shift
 from carom.comparison.start import explain_start
 
@@ -18,44 +21,107 @@ if TYPE_CHECKING:
     from carom.comparison.motion import Vector
     from carom.events import Event
 
+COARSE = 0.1
+"""Of velocities less certain than this part of the largest nothing is said."""
+FINE = 0.01
+"""Velocities are the same only where they are at least so certain."""
+PRECISE = 1e-6
+"""Places that rounding moves by less have digits enough."""
+
 
 def diagnose(fit: Fit) -> list[str]:
-    """Say where a trajectory first differs from the run, and what it does there."""
-    first = fit.first
-    if first is None:
+    """Say where a trajectory first differs from the run by more than rounding, and what it does there."""
+    if fit.first is None:
         return []
+    rounded = _rounded(fit)
+    if rounded is None:
+        return _diagnose(fit, "the first row that differs is")
+    digits, moved = fit.rounding
+    told, fitting = f"its numbers have {digits.speak()}", f"--tolerance {fitting_tolerance(moved):g}"
+    if rounded.first is None:
+        where = _where(fit, fit.first, "the first row that differs is")
+        return [where, f"{told}, and rounding explains every difference; {fitting} compares it so"]
+    told += f", so that rounding explains differences of up to {moved:.2g} ({fitting})"
+    return [told, *_diagnose(rounded, "the first row that differs by more is")]
+
+
+def _rounded(fit: Fit) -> Fit | None:
+    """Give the fit with the tolerance that the digits of the trajectory need, if rounding explains any difference."""
+    moved = fit.rounding[1]
+    rounded = replace(fit, tolerance=max(fit.tolerance, moved))
+    return rounded if fit.differs[: rounded.first].any() else None
+
+
+def _diagnose(fit: Fit, lead: str) -> list[str]:
+    first = fit.first
+    assert first is not None
     ball = fit.rows.balls[int(np.argmax(fit.distances[first]))]
-    sentences = [_where(fit, first)]
+    sentences = [_where(fit, first, lead)]
     if first == 0:
-        start = explain_start(fit)
-        shift = None if start else find_shift(fit)
-        return sentences + start + ([shift] if shift else [])
+        return sentences + (explain_start(fit) or _explain_times(fit))
     before = f"{fit.rows.where(first - 1)} (t = {fit.rows.times[first - 1]:.6g})"
     sentences.append(f"up to {before} it agrees to {fit.distances[:first].max():.2g}")
-    shift = find_shift(fit)
-    return sentences + ([shift] if shift else _cause(fit, ball))
+    return sentences + (_explain_times(fit) or _cause(fit, ball))
 
 
-def _where(fit: Fit, first: int) -> str:
+def _explain_times(fit: Fit) -> list[str]:
+    """Say how the places are Carom's at other times, where they are."""
+    told = find_shift(fit)
+    if told is None and fit.first is not None and fit.first <= 1:
+        told = explain_clock(fit.run, fit.rows, fit.tolerance, any_factor=False)
+    return [told] if told else []
+
+
+def explain_break(fit: Fit) -> list[str]:
+    """Say what comes right before the row that has no place, where the rows agree until then."""
+    broken = fit.rows.broken
+    if broken is None or fit.first is not None or broken.time > fit.limit:
+        return []
+    name = fit.run.ball_ids[broken.ball]
+    events = fit.run.events.by_ball(name).by_time(0.0, broken.time)
+    if len(events) == 0:
+        return [f"before that, Carom's run has no event of {name}"]
+    event = events[len(events) - 1]
+    told = [f"the last event of {name} before it is {speak_of(fit, event)}"]
+    if event.kind == "ball_ball" and settled(fit, event) >= fit.rows.times[-1] - CLOCK * fit.run.end_time:
+        told.append(
+            "a tangent t = [1, -n1/n2] gives infinity or NaN where n2 = 0; Carom's normal there is "
+            f"{said(np.array(event.normal))}"
+        )
+    return told
+
+
+def _where(fit: Fit, first: int, lead: str) -> str:
     found, carom, apart = fit.rows.places[first], fit.expected[first], fit.distances[first]
     worst = int(np.argmax(apart))
     names = [fit.run.ball_ids[ball] for ball in fit.rows.balls]
     others = [name for name, far in zip(names, apart > fit.tolerance, strict=True) if far and name != names[worst]]
     also = f"; {', '.join(others)} differ{'s' if len(others) == 1 else ''} too" if others else ""
+    here, there = _said_apart(found[worst], carom[worst])
     return (
-        f"the first row that differs is {fit.rows.where(first)}, t = {fit.rows.times[first]:.6g}: {names[worst]} is at "
-        f"{said(found[worst])}, in Carom's run at {said(carom[worst])}, {apart[worst]:.3g} apart{also}"
+        f"{lead} {fit.rows.where(first)}, t = {fit.rows.times[first]:.6g}: {names[worst]} is at "
+        f"{here}, in Carom's run at {there}, {apart[worst]:.3g} apart{also}"
     )
+
+
+def _said_apart(one: Vector, other: Vector) -> tuple[str, str]:
+    """Give two places as texts, with as many digits as it takes to tell them apart."""
+    texts = ((said(one, digits), said(other, digits)) for digits in range(6, 18))
+    return next(((here, there) for here, there in texts if here != there), (said(one, 17), said(other, 17)))
 
 
 def _cause(fit: Fit, ball: int) -> list[str]:
     """Say what the ball does in the file where it leaves its path in the run."""
     assert fit.first is not None
     name, time = fit.run.ball_ids[ball], fit.rows.times[fit.first]
+    if stopped := _stopped_with(fit, ball):
+        return stopped
     event = _last_event(fit, ball)
     told = [f"before that, Carom's run has no event of {name}"]
     if event is not None:
         told = [f"the last event of {name} before it is {speak_of(fit, event)}"]
+        if special := _at_place(fit, ball, event):
+            return told + special
         if event.time < time < settled(fit, event):
             return told
         if stuck := _standing(fit, event):
@@ -65,12 +131,57 @@ def _cause(fit: Fit, ball: int) -> list[str]:
         return told
     carom = fit.run.velocities(min(time, fit.run.end_time))[ball, :2]
     now = motion.velocity if event is None else _carried(fit, event, motion.velocity, time)
-    change = now - carom
-    if np.linalg.norm(change) <= motion.noise + 1e-6 * np.linalg.norm(carom):
-        return told + _beside(fit, ball, carom)
+    change, speed = now - carom, float(np.linalg.norm(carom))
+    if motion.noise > COARSE * fit.fastest:
+        return told + _too_few_digits(fit)
+    if np.linalg.norm(change) <= motion.noise + 1e-6 * speed:
+        return told + (_beside(fit, ball, carom) if motion.noise <= FINE * speed else _too_few_digits(fit))
     if event is not None and _begins_at(fit, ball, event, change):
-        return told + _explain(fit, ball, event, motion)
+        return told + (_explain(fit, ball, event, motion) or _too_few_digits(fit))
     return told + _unforeseen(fit, ball, now, carom, change)
+
+
+def _too_few_digits(fit: Fit) -> list[str]:
+    """Say why no more is said, where it is for want of digits."""
+    digits, moved = fit.rounding
+    return [f"its numbers have {digits.speak()}, too few to tell what happens there"] if moved > PRECISE else []
+
+
+def _stopped_with(fit: Fit, ball: int) -> list[str]:
+    """Find a hit of other balls in the step before the first row that differs, at whose time this ball stops too."""
+    assert fit.first is not None
+    times, row = fit.step_times, fit.rows.times[fit.first]
+    if times is None:
+        return []
+    step = max(int(np.searchsorted(times, row - CLOCK * fit.run.end_time)) - 1, 0)
+    name, found = fit.run.ball_ids[ball], fit.rows.places[fit.first, fit.rows.balls.index(ball)]
+    events = [event for event in fit.run.events.by_time(float(times[step]), float(row)) if event.time > times[step]]
+    if any(name in event.balls for event in events):
+        return []
+    for event in events:
+        there = fit.run.positions(event.time)[ball, :2]
+        if np.linalg.norm(found - there) <= nearness(fit, ball):
+            return [
+                f"right before it is {speak_of(fit, event)}, and in the file {name} stops at that time too; in Carom's "
+                "run it goes on"
+            ]
+    return []
+
+
+def _at_place(fit: Fit, ball: int, event: Event) -> list[str]:
+    """Find that the ball is, right after its last event, at a place that a known mistake takes it to."""
+    assert fit.first is not None
+    if event.cluster is not None or event.time == 0.0 or not _follows(fit, event):
+        return []
+    if event.kind == "ball_cushion":
+        return explain_place(fit, event, ball)
+    return met_exactly(fit, event, _balls_of(fit, event)) if event.kind == "ball_ball" else []
+
+
+def _follows(fit: Fit, event: Event) -> bool:
+    """Tell whether the first row that differs is the first after an event, or after the step of the event."""
+    assert fit.first is not None
+    return fit.first == 0 or settled(fit, event) >= fit.rows.times[fit.first - 1] - CLOCK * fit.run.end_time
 
 
 def _last_event(fit: Fit, ball: int) -> Event | None:
@@ -126,7 +237,7 @@ def _begins_at(fit: Fit, ball: int, event: Event, change: Vector) -> bool:
 def _standing(fit: Fit, event: Event) -> list[str]:
     """Speak of two balls that do not come apart where the run's do, right before the first row that differs."""
     assert fit.first is not None
-    if event.kind != "ball_ball" or settled(fit, event) < fit.rows.times[fit.first - 1] - CLOCK * fit.run.end_time:
+    if event.kind != "ball_ball" or not _follows(fit, event):
         return []
     return Contact(fit, event, _balls_of(fit, event), (None, None)).standing()
 

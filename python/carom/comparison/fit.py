@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.comparison.digits import find_rounding
+
 if TYPE_CHECKING:
+    from carom.comparison.digits import Digits
     from carom.comparison.rows import Rows
     from carom.run import Run
 
@@ -94,6 +97,17 @@ class Fit:
         return self.first is None and not self.gaps
 
     @cached_property
+    def rounding(self) -> tuple[Digits, float]:
+        """The digits of the places, and how far rounding to them may have moved a ball."""
+        return find_rounding(self.rows.times, self.rows.places, self.fastest)
+
+    @cached_property
+    def fastest(self) -> float:
+        """The largest speed of a ball of the run at the times of the rows."""
+        times = np.minimum(self.rows.times, self.run.end_time)
+        return float(np.linalg.norm(self.run.velocities(times), axis=-1).max(initial=0.0))
+
+    @cached_property
     def spacing(self) -> float | None:
         """The step of the time grid where that is regular: nine of ten steps are equal."""
         steps = np.diff(self.rows.times)
@@ -103,12 +117,14 @@ class Fit:
         return step if np.mean(np.abs(steps - step) <= 1e-3 * step) >= REGULAR else None
 
     def _ends(self) -> list[str]:
-        start, end = float(self.rows.times[0]), float(self.rows.times[-1])
+        start, end, broken = float(self.rows.times[0]), float(self.rows.times[-1]), self.rows.broken
         room = CLOCK * self.run.end_time
         found = []
         if start > room:
             found.append(f"it starts at t = {start:.6g} ({self.rows.where(0)}), the run at 0")
-        if end < self.limit - room:
+        if broken is not None and broken.time <= self.limit + room:
+            found.append(f"it has no place in {broken.where}, t = {broken.time:.6g}: {broken.values}")
+        elif end < self.limit - room:
             found.append(
                 f"it ends at t = {end:.10g} ({self.rows.where(len(self.rows) - 1)}), the run at {self.limit:.10g}; "
                 f"--duration {end:.10g} compares that part"

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from carom.events import Event
 
 Vector = NDArray[np.float64]
+MUCH_NEARER = 0.1
 SMALLEST_PART = 1e-12
 """Places are taken to be no more precise than this part of the largest coordinate."""
 
@@ -73,9 +74,16 @@ class Track:
 
 
 def precision(fit: Fit) -> float:
-    """Say how precisely the trajectory gives places: as it agrees before it differs."""
+    """Say how precisely the trajectory gives places: as it agrees before it differs, and as its digits allow."""
     smallest = SMALLEST_PART * float(np.abs(fit.rows.places).max())
-    return max(smallest, float(fit.distances[: fit.first].max(initial=0.0)))
+    return max(smallest, fit.rounding[1], float(fit.distances[: fit.first].max(initial=0.0)))
+
+
+def nearness(fit: Fit, ball: int) -> float:
+    """Say how near to a place the first row that differs has to be to be taken for it: much nearer than to Carom's."""
+    assert fit.first is not None
+    apart = float(fit.distances[fit.first, fit.rows.balls.index(ball)])
+    return min(fit.tolerance + precision(fit), MUCH_NEARER * apart)
 
 
 def acceleration_of(fit: Fit) -> Vector:
@@ -104,6 +112,6 @@ def just_after(fit: Fit, event: Event, ball: int) -> Vector:
     return velocity
 
 
-def said(vector: Vector) -> str:
+def said(vector: Vector, digits: int = 6) -> str:
     """Give a vector as text."""
-    return f"({vector[0] + 0.0:.6g}, {vector[1] + 0.0:.6g})"
+    return f"({vector[0] + 0.0:.{digits}g}, {vector[1] + 0.0:.{digits}g})"

@@ -17,6 +17,28 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
+class Break:
+    """Where the numbers of a trajectory end: its first row with a place that is not finite.
+
+    Attributes
+    ----------
+    where : str
+        Where it stands.
+    time : float
+        Its time.
+    ball : int
+        The first ball that has no place there, by its place in the run.
+    values : str
+        What stands there instead.
+    """
+
+    where: str
+    time: float
+    ball: int
+    values: str
+
+
+@dataclass(frozen=True)
 class Rows:
     """The rows of a trajectory.
 
@@ -30,12 +52,15 @@ class Rows:
         Ascending, from zero or later.
     places : (n_rows, n_balls, 2) float64
         The centres of these balls.
+    broken : Break or None
+        The row that would follow, where that has a place that is not finite.
     """
 
     source: Source
     balls: tuple[int, ...]
     times: NDArray[np.float64]
     places: NDArray[np.float64]
+    broken: Break | None = None
 
     def __len__(self) -> int:
         return len(self.times)
@@ -46,28 +71,41 @@ class Rows:
 
 
 def read_rows(source: Source, assignment: Assignment) -> Rows:
-    """Read the rows.
+    """Read the rows, up to the first with a place that is not finite.
 
     Raises
     ------
     TrajectoryError
-        When a value is no finite number, or when times do not ascend from zero or later.
+        When a time, or a value of the first row, is no finite number, or when times do not ascend from zero or later.
     """
     values = source.values(assignment.columns)
     _check_finite(source, assignment, values)
     times = np.ascontiguousarray(values[:, 0])
     _check_ascending(source, times)
-    return Rows(source, assignment.balls, times, values[:, 1:].reshape(len(values), -1, 2))
+    bad = np.flatnonzero(~np.isfinite(values).all(axis=1))
+    broken = _speak_of_break(source, assignment, values, int(bad[0])) if len(bad) else None
+    count = int(bad[0]) if len(bad) else len(values)
+    return Rows(source, assignment.balls, times[:count], values[:count, 1:].reshape(count, -1, 2), broken)
+
+
+def _speak_of_break(source: Source, assignment: Assignment, values: NDArray[np.float64], row: int) -> Break:
+    bad = np.flatnonzero(~np.isfinite(values[row]))
+    names = list(assignment.meaning.values())
+    words = ", ".join(f"{names[column]} = {values[row, column]}" for column in bad)
+    return Break(source.place(row), float(values[row, 0]), assignment.balls[(int(bad[0]) - 1) // 2], words)
 
 
 def _check_finite(source: Source, assignment: Assignment, values: NDArray[np.float64]) -> None:
+    """Refuse times that are not finite, and a first row that holds no places."""
     names = list(assignment.meaning.values())
 
     def describe(cell: NDArray[np.int64]) -> tuple[str, str]:
         row, column = (int(place) for place in cell)
         return f"{source.name}, {source.place(row)}, {names[column]}", f"must be finite, got {values[row, column]}"
 
-    bad = np.argwhere(~np.isfinite(values))
+    finite = np.isfinite(values)
+    finite[1:, 1:] = True
+    bad = np.argwhere(~finite)
     if len(bad):
         raise TrajectoryError(listed(bad, describe, "values that are not finite", source.name))
 

@@ -26,7 +26,8 @@ def try_readings(
     ColumnTable
         A row for each reading: ``after_hit``, ``normal``, ``last_step``; ``rows``, how many rows the trajectory has
         up to the run's end, and ``within``, how many of them are within the tolerance; ``first``, where the first
-        other one stands, or None; ``largest``, the largest distance; ``agrees``.
+        other one stands, or None; ``largest``, the largest distance; ``agrees``; ``why``, for one that has all rows
+        within and does not agree, what they lack.
     """
     own = scenario.to_dict()["method"]
     # With a given number of steps there is no last step to read in two ways.
@@ -52,4 +53,5 @@ def _measures(fit: Fit) -> dict[str, Any]:
         "first": None if fit.first is None else fit.rows.where(fit.first),
         "largest": float(fit.distances.max(initial=0.0)),
         "agrees": fit.agrees,
+        "why": "; ".join(fit.gaps) if fit.first is None else "",
     }

@@ -22,8 +22,13 @@ from carom.errors import TrajectoryError
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?|[+-]?(nan|inf|infinity)", re.IGNORECASE | re.ASCII)
 DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
+SEPARATOR = re.compile(r"sep=(.)", re.IGNORECASE)
+"""A first line that tells Excel the delimiter."""
+UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 DELIMITERS = {",": "','", ";": "';'", "\t": "tab", " ": "space"}
 """The usual delimiters, as they are named; a space stands for any run of white space."""
+SAVE_AS = 'save it as "CSV UTF-8"'
+CHUNK = 1 << 20
 MOST_LISTED = 5
 FREE_TEXT = "U1"
 """The type in which columns that are not compared are read: whatever they hold, and next to nothing of it kept."""
@@ -69,15 +74,21 @@ class TextFile:
         A regular file in UTF-8, with or without byte order mark, and with any line ends.
     delimiter : str
         One character; a space stands for any run of white space.
+    decimal : str
+        A point or a comma.
     """
 
-    def __init__(self, path: str | os.PathLike[str], delimiter: str) -> None:
+    def __init__(self, path: str | os.PathLike[str], delimiter: str, decimal: str = ".") -> None:
         if len(delimiter) != 1 or delimiter in '"\r\n':
             raise ValueError(f"delimiter: must be one character, such as ',' or ';', got {delimiter!r}")
+        if decimal not in (".", ",") or decimal == delimiter:
+            raise ValueError(f"decimal: must be '.' or ',', and not the delimiter, got {decimal!r}")
+        self._decimal = decimal
         self.path = Path(path)
         self.name = str(path)
         self._delimiter = delimiter
         _check_regular(self.path)
+        _check_encoding(self.path, self.name)
         self.comment = ""
         with self._open() as file:
             self._first, line = self._head(file)
@@ -85,7 +96,7 @@ class TextFile:
             raise TrajectoryError([(self.name, "holds no line of a table")])
         fields = self._split(line)
         self.width = len(fields)
-        numbers = [bool(NUMBER.fullmatch(each)) for each in fields]
+        numbers = [bool(NUMBER.fullmatch(self._pointed(each))) for each in fields]
         self.names = None if all(numbers) else fields
         self.odd_header = any(numbers) and not all(numbers)
         self._head_line = line
@@ -138,20 +149,32 @@ class TextFile:
 
     def _head(self, file: IO[str]) -> tuple[int, str]:
         """Find the first line that is neither empty nor a comment, and its number."""
-        try:
-            for number, line in enumerate(file, start=1):
-                text = line.strip()
-                if text and text[0] not in "#%":
-                    return number, line
+        for number, line in enumerate(file, start=1):
+            text = line.strip()
+            if number == 1 and (told := SEPARATOR.fullmatch(line.rstrip("\r\n"))):
+                self._check_separator(told[1])
+            elif text and text[0] not in "#%":
+                return number, line
+            else:
                 self.comment = text or self.comment
-        except UnicodeDecodeError as error:
-            raise TrajectoryError([(self.name, f"not a text in UTF-8 (byte {error.start})")]) from None
         return 0, ""
 
+    def _check_separator(self, told: str) -> None:
+        """Hold the delimiter against that in a first line as Excel writes it."""
+        if told != self._delimiter:
+            name, own = (DELIMITERS.get(each, repr(each)) for each in (told, self._delimiter))
+            message = f"its first line says that {name} is the delimiter, not {own}: --delimiter {name}"
+            raise TrajectoryError([(f"{self.name}, line 1", message)])
+
+    def _pointed(self, text: str) -> str:
+        """Give a number as it is written with a decimal point."""
+        return text.replace(",", ".") if self._decimal == "," else text
+
     def _body(self, file: IO[str]) -> Iterator[str]:
-        """Give the lines from the first row on."""
+        """Give the lines from the first row on, with decimal points."""
         _, line = self._head(file)
-        return chain([line], file) if self.names is None else iter(file)
+        lines = chain([line], file) if self.names is None else iter(file)
+        return map(self._pointed, lines) if self._decimal == "," else lines
 
     def _split(self, line: str) -> list[str]:
         return _split(line, self._delimiter)
@@ -172,8 +195,9 @@ class TextFile:
                     ragged.add(place, _speak_of_width(fields, self.width, self.names is not None))
                     continue
                 for column in columns:
-                    if NUMBER.fullmatch(fields[column]):
-                        values.append(float(fields[column]))
+                    text = self._pointed(fields[column])
+                    if NUMBER.fullmatch(text):
+                        values.append(float(text))
                     else:
                         texts.add(f"{place}, {names[column]}", _speak_of_text(fields[column]))
         problems = ragged.problems(self.name) + texts.problems(self.name)
@@ -234,9 +258,9 @@ Source = TextFile | Columns
 """A trajectory's columns, before it is known what they mean."""
 
 
-def open_source(source: Any, delimiter: str) -> Source:
+def open_source(source: Any, delimiter: str, decimal: str) -> Source:
     """Open what `carom.compare_trajectory` is given."""
-    return TextFile(source, delimiter) if isinstance(source, (str, os.PathLike)) else Columns(source)
+    return TextFile(source, delimiter, decimal) if isinstance(source, (str, os.PathLike)) else Columns(source)
 
 
 def _keys(table: Any) -> Iterable[Any]:
@@ -259,6 +283,30 @@ def _check_regular(path: Path) -> None:
         raise TrajectoryError([(str(path), "not a file; it may be read twice, so a folder or pipe does not do")])
 
 
+def _check_encoding(path: Path, name: str) -> None:
+    """Refuse a file that is no text in UTF-8, and say how to save it as one."""
+    with path.open("rb") as file:
+        if file.read(2) in UTF_16:
+            raise TrajectoryError([(name, f"a text in UTF-16; {SAVE_AS}")])
+    try:
+        with path.open(encoding="utf-8-sig") as text:
+            while text.read(CHUNK):
+                pass
+    except UnicodeDecodeError:
+        raise TrajectoryError([(name, f"not a text in UTF-8 ({_undecodable(path)}); {SAVE_AS}")]) from None
+
+
+def _undecodable(path: Path) -> str:
+    """Say where the first byte is that is no UTF-8."""
+    data = path.read_bytes()
+    try:
+        data.decode()
+    except UnicodeDecodeError as error:
+        line = data[: error.start].count(10) + 1  # line ends
+        return f"line {line}, byte 0x{data[error.start]:02x}"
+    return "it is being written"
+
+
 def _split(line: str, delimiter: str) -> list[str]:
     """Split a line into its fields, without quotes and white space around them."""
     if delimiter == " ":
@@ -276,7 +324,7 @@ def _speak_of_text(text: str) -> str:
     if not text:
         return "is empty"
     if DECIMAL_COMMA.fullmatch(text):
-        return f"{text!r} has a decimal comma; write a decimal point"
+        return f"{text!r} has a decimal comma: --decimal , reads it (Python: decimal=',')"
     if text[0] in "#%":
         return f"{text!r} is not a number; comments are read over at the top only"
     return f"{text!r} is not a number"

@@ -22,6 +22,10 @@ def explain_start(fit: Fit) -> list[str]:
         return ["in it x and y are exchanged: are the columns named in the right order?"]
     if names := _exchanged(fit, found, carom):
         return [f"in it {names}: are the columns named in the right order?"]
+    if len(found) > 1 and _near(fit, found.reshape(2, -1).T, carom):
+        balls = [fit.run.ball_ids[ball] for ball in fit.rows.balls]
+        order = ", ".join(f"{name}.{axis}" for axis in "xy" for name in balls)
+        return [f"in it the columns stand in the order {order}: are they named in the right order?"]
     factor = float(np.sum(found * carom) / np.sum(carom**2)) if np.any(carom) else 0.0
     if factor > 0.0 and abs(factor - 1.0) > SMALLEST_SCALE and _near(fit, found / factor, carom):
         return [f"in it all places are {factor:.6g} times Carom's: another unit of length?"]

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from carom.columns import ColumnTable, column_of
 from carom.comparison.assignment import ColumnNames, assign
-from carom.comparison.diagnosis import diagnose
+from carom.comparison.clock import explain_clock, restart_on_a_full_clock
+from carom.comparison.diagnosis import diagnose, explain_break
 from carom.comparison.fit import CLOCK, Fit, time_step
 from carom.comparison.rows import Rows, read_rows
 from carom.comparison.scheme import READINGS, own_reading, try_readings
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
     from carom.scenario import Scenario
 
 DEFAULT_TOLERANCE = 1e-6
+SAME_STEP = 1e-3
+"""Time steps are the same that differ by less than this part."""
 
 
 @dataclass(frozen=True)
@@ -205,6 +208,7 @@ def compare_trajectory(
     columns: ColumnNames | None = None,
     tolerance: float = DEFAULT_TOLERANCE,
     delimiter: str = ",",
+    decimal: str = ".",
     duration: float | None = None,
 ) -> TrajectoryComparison:
     """Hold one's own trajectory against a run.
@@ -230,6 +234,8 @@ def compare_trajectory(
         How far a ball may be from its place in the run, in the length of the table.
     delimiter : str
         What stands between the columns of a file: one character; a space stands for any run of white space.
+    decimal : str
+        What stands before the decimals of its numbers: a point or a comma.
     duration : float, optional
         Compare up to this time.
 
@@ -251,18 +257,17 @@ def compare_trajectory(
     if not 0.0 <= tolerance < np.inf:
         raise ValueError(f"tolerance: must be zero or positive and finite, got {tolerance!r}")
     run = _run_of(scenario, duration)
-    opened = open_source(source, delimiter)
+    opened = open_source(source, delimiter, decimal)
     assignment = assign(opened, columns, run.ball_ids)
     rows = read_rows(opened, assignment)
     partial = duration is not None
-    _check_end(run, rows, partial=partial)
+    _check_end(run, rows, tolerance, partial=partial)
     fit = Fit(run, rows, _limit(run, rows, duration), tolerance, partial)
     readings = None
     if time_step(run) is not None:
         readings = try_readings(run.scenario, rows, tolerance, duration=duration, partial=partial)
-    told = readings is not None and not fit.agrees
-    reasons = [*fit.gaps, *(_agreeing_readings(run, readings) if told else []), *diagnose(fit)]
-    notes = _notes(fit, opened, assignment)
+    reasons = [*fit.gaps, *explain_break(fit), *_other_readings(fit, readings, duration), *diagnose(fit)]
+    notes = [*_notes(fit, opened, assignment), *_uncovered(fit, readings)]
     return TrajectoryComparison(run, opened.name, assignment.meaning, tolerance, reasons, notes, readings, fit)
 
 
@@ -283,7 +288,7 @@ def _limit(run: Run, rows: Rows, duration: float | None) -> float:
     return max(run.end_time, float(rows.times[-1])) if run.status == "at_rest" else run.end_time
 
 
-def _check_end(run: Run, rows: Rows, *, partial: bool) -> None:
+def _check_end(run: Run, rows: Rows, tolerance: float, *, partial: bool) -> None:
     """Refuse times after the end of the run, but for one step of a stepped run and a part that was asked for."""
     if partial or run.status == "at_rest":
         return
@@ -294,23 +299,42 @@ def _check_end(run: Run, rows: Rows, *, partial: bool) -> None:
         return f"{rows.source.name}, {rows.where(row)}", f"t = {rows.times[row]:.10g} is after the run's end"
 
     if len(late):
+        told = explain_clock(run, rows, tolerance, any_factor=True)
+        if told is None and time_step(run) is not None:
+            told = restart_on_a_full_clock(run.scenario, rows, tolerance)
+        if told is not None:
+            raise TrajectoryError([(rows.source.name, told)])
         longer = f"the run ends at t = {run.end_time:.10g}; --duration sets another end, or compares a part"
         problems = listed(late, describe, "rows after the run's end", rows.source.name)
         raise TrajectoryError([*problems, (rows.source.name, longer)])
 
 
-def _agreeing_readings(run: Run, readings: ColumnTable | None) -> list[str]:
-    """Say which other readings of the fixed-step method the trajectory agrees with."""
-    if readings is None:
+def _other_readings(fit: Fit, readings: ColumnTable | None, duration: float | None) -> list[str]:
+    """Say which other readings of the fixed-step method the trajectory agrees with, to its own digits."""
+    if readings is None or fit.agrees:
         return []
+    scenario, (digits, moved), lead = fit.run.scenario, fit.rounding, "it agrees"
+    tolerance = max(fit.tolerance, moved)
+    if tolerance > fit.tolerance:
+        readings = try_readings(scenario, fit.rows, tolerance, duration=duration, partial=fit.partial)
+        lead = f"to its {digits.speak()} it agrees"
+    if told := _agreeing_readings(fit.run, readings, lead):
+        return told
+    told_of_clock = restart_on_a_full_clock(scenario, fit.rows, tolerance)
+    return [told_of_clock] if told_of_clock else []
+
+
+def _agreeing_readings(run: Run, readings: ColumnTable, lead: str) -> list[str]:
     own = own_reading(run.scenario.to_dict()["method"])
     names = [name for name in READINGS if name in readings.names]
     sentences = []
     for row in np.flatnonzero(readings["agrees"]):
         other = {name: readings[name][row] for name in names if readings[name][row] != own[name]}
+        if not other:
+            continue
         changed = ", ".join(f"{name} = {word}" for name, word in other.items())
         settings = " ".join(f"--set method.{name}={word}" for name, word in other.items())
-        sentences.append(f"it agrees with another reading of the method, {changed} ({settings})")
+        sentences.append(f"{lead} with another reading of the method, {changed} ({settings})")
     return sentences
 
 
@@ -319,19 +343,43 @@ def _notes(fit: Fit, source: Source, assignment: Assignment) -> list[str]:
     notes = ["read as " + ", ".join(f"{role} = {name}" for role, name in assignment.meaning.items())]
     if source.names is None:
         notes[0] += ", by number, as there is no header"
-    if assignment.left_out:
-        notes.append(f"columns not compared: {', '.join(assignment.left_out)}")
+    if left_out := [name for name in assignment.left_out if name]:
+        notes.append(f"columns not compared: {', '.join(left_out)}")
     absent = [name for ball, name in enumerate(run.ball_ids) if ball not in rows.balls]
     if absent:
         notes.append(f"balls not compared: {', '.join(absent)}")
     if fit.partial:
         notes.append(f"compared up to t = {fit.limit:.10g}: {fit.count} of {len(rows)} rows")
-    if not fit.agrees and time_step(run) is None and fit.spacing is not None and _may_step(run):
+    step = time_step(run)
+    if (
+        fit.first is not None
+        and step is not None
+        and fit.spacing is not None
+        and abs(fit.spacing - step) > SAME_STEP * step
+    ):
+        notes.append(
+            f"its times go in steps of {fit.spacing:.6g}, the scenario's method in steps of {step:.6g}; "
+            f"--dt {fit.spacing:.6g} compares it so"
+        )
+    if not fit.agrees and step is None and fit.spacing is not None and _may_step(run):
         notes.append(
             f"its times go in steps of {fit.spacing:.6g}; if it was computed with that time step, "
             f"--method stepped --dt {fit.spacing:.6g} compares it with the fixed-step method"
         )
     return notes
+
+
+def _uncovered(fit: Fit, readings: ColumnTable | None) -> list[str]:
+    """Say why readings that have every row within the tolerance do not agree."""
+    if readings is None or fit.first is None:
+        return []
+    names = [name for name in READINGS if name in readings.names]
+    rows = np.flatnonzero(~readings["agrees"] & (readings["within"] == readings["rows"]))
+    return [
+        f"{', '.join(f'{name} = {readings[name][row]}' for name in names)} has all its rows within the tolerance, "
+        f"but does not agree: {readings['why'][row]}"
+        for row in rows
+    ]
 
 
 def _may_step(run: Run) -> bool:
