@@ -23,6 +23,7 @@ import pytest
 
 import carom
 from carom.cli import main
+from carom.cli.options import read_setting
 
 RUN_FILES = {"events.csv", "trajectory.csv", "run.json", "report.html"}
 FIGURES = {"filmstrip", "paths", "energy", "speed", "momentum"}
@@ -144,6 +145,22 @@ def test_a_closed_pipe_ends_a_command_quietly(words: list[str]) -> None:
     )
     os.close(write)
     assert (done.returncode, done.stdout or b"", done.stderr or b"") == (141, b"", b"")
+
+
+@pytest.mark.parametrize("text", [".9", "+0.9", "0.9", "0.900_0", "9.e-1"])
+def test_numbers_of_set_are_those_of_python_and_toml(text: str) -> None:
+    assert read_setting(f"table.width={text}") == ("table.width", 0.9)
+
+
+@pytest.mark.parametrize("text", ["nan", "inf", "-infinity", "word", "1 m", ""])
+def test_words_of_set_stay_words(text: str) -> None:
+    assert read_setting(f"title={text}") == ("title", text)
+
+
+def test_characters_that_the_font_lacks_are_named_in_one_line(tmp_path: Path) -> None:
+    words = ("run", "midterm", "--set", "balls.red.id=球体", "--out", tmp_path / "out", "--no-animation")
+    done = process(*words)
+    assert (done.returncode, done.stderr) == (0, "warning: the figures' font lacks 球 体; boxes stand there\n")
 
 
 def test_piped_output_has_no_colours(tmp_path: Path) -> None:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import sys
 import textwrap
+import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
@@ -24,7 +26,8 @@ LEAST_WORDS = 8
 def reporting() -> Iterator[None]:
     """Turn what can go wrong in a command into lines on stderr and an exit code; also a decorator."""
     try:
-        yield
+        with _warning_plainly():
+            yield
     except ListedError as error:
         for place, message in error.problems:
             say_error(place, message)
@@ -39,6 +42,27 @@ def reporting() -> Iterator[None]:
         raise typer.Exit(PROBLEM) from None
     except KeyboardInterrupt:
         raise typer.Exit(INTERRUPTED) from None
+
+
+@contextmanager
+def _warning_plainly() -> Iterator[None]:
+    """Print what Python and matplotlib warn of as lines without a place in their source, glyphs in one."""
+    lacking: dict[str, None] = {}
+
+    def show(message: Warning | str, *_: object, **__: object) -> None:
+        glyph = re.match(r"Glyph (\d+) ", str(message))
+        if glyph:
+            lacking[chr(int(glyph[1]))] = None
+        else:
+            print(f"warning: {message}", file=sys.stderr)
+
+    with warnings.catch_warnings():
+        warnings.showwarning = show
+        try:
+            yield
+        finally:
+            if lacking:
+                print(f"warning: the figures' font lacks {' '.join(lacking)}; boxes stand there", file=sys.stderr)
 
 
 def say_error(place: str, message: str) -> None:
