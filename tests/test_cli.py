@@ -23,6 +23,7 @@ import pytest
 
 import carom
 from carom.cli import main
+from carom.cli.options import read_setting
 
 RUN_FILES = {"events.csv", "trajectory.csv", "run.json", "report.html"}
 FIGURES = {"filmstrip", "paths", "energy", "speed", "momentum"}
@@ -86,20 +87,80 @@ def test_run_prints_events_and_diagnostics_and_writes_nothing(
     assert not names_in(tmp_path)
 
 
-def test_a_terminal_of_80_columns_shows_whole_words_and_numbers(monkeypatch: pytest.MonkeyPatch) -> None:
-    class Terminal(io.StringIO):
-        def isatty(self) -> bool:
-            return True
+class Terminal(io.StringIO):
+    """What is printed, as to a terminal."""
 
-    monkeypatch.setenv("COLUMNS", "80")
+    def isatty(self) -> bool:
+        return True
+
+
+def on_a_terminal(columns: int, monkeypatch: pytest.MonkeyPatch, *words: object) -> str:
+    """What a command prints on a terminal of so many columns, without its colours."""
+    monkeypatch.setenv("COLUMNS", str(columns))
     out = Terminal()
-    monkeypatch.setattr(sys, "argv", ["carom", "run", "midterm"])
+    monkeypatch.setattr(sys, "argv", ["carom", *map(str, words)])
     with redirect_stdout(out), pytest.raises(SystemExit):
         main()
-    printed = re.sub(ESCAPE + r"\[[0-9;]*m", "", out.getvalue())
+    return re.sub(ESCAPE + r"\[[0-9;]*m", "", out.getvalue())
+
+
+def test_a_terminal_of_80_columns_shows_whole_words_and_numbers(monkeypatch: pytest.MonkeyPatch) -> None:
+    printed = on_a_terminal(80, monkeypatch, "run", "midterm")
     assert max(map(len, printed.splitlines())) <= 80
     assert "\N{HORIZONTAL ELLIPSIS}" not in printed
     assert printed.count("  ball_cushion ") == 11
+
+
+@pytest.mark.parametrize("columns", [80, 40])
+def test_a_terminal_shows_every_number_beside_long_names(
+    columns: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, run: carom.Run
+) -> None:
+    values = run.scenario.to_dict()
+    for ball, name in zip(values["balls"], ("Anna-Maria Hohenstaufen", "Maximilian [b] Oberhuber"), strict=True):
+        ball["id"] = name
+    path = tmp_path / "long.toml"
+    carom.Scenario.from_dict(values).save(path)
+    printed = on_a_terminal(columns, monkeypatch, "run", path)
+    events = printed.split("diagnostic")[0]
+    rows = [line.split() for line in events.splitlines() if re.match(r" +[0-9.]+  ball", line)]
+    numbers = [(row[0], *row[-3:]) for row in rows]
+    wanted = (run.events[name].tolist() for name in ("time", "x", "y", "closing_speed"))
+    assert numbers == [tuple(f"{value:.6g}" for value in row) for row in zip(*wanted, strict=True)]
+    assert max(map(len, events.splitlines())) <= 80
+    assert "[b]" in events
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="pipes close otherwise there")
+@pytest.mark.parametrize("words", [["run", "midterm"], ["--help"], ["check", "nothing"], ["schema"]], ids=" ".join)
+def test_a_closed_pipe_ends_a_command_quietly(words: list[str]) -> None:
+    read, write = os.pipe()
+    os.close(read)
+    command = [sys.executable, "-m", "carom", *words]
+    to_errors = words[0] == "check"
+    done = subprocess.run(
+        command,
+        stdout=subprocess.PIPE if to_errors else write,
+        stderr=write if to_errors else subprocess.PIPE,
+        check=False,
+    )
+    os.close(write)
+    assert (done.returncode, done.stdout or b"", done.stderr or b"") == (141, b"", b"")
+
+
+@pytest.mark.parametrize("text", [".9", "+0.9", "0.9", "0.900_0", "9.e-1"])
+def test_numbers_of_set_are_those_of_python_and_toml(text: str) -> None:
+    assert read_setting(f"table.width={text}") == ("table.width", 0.9)
+
+
+@pytest.mark.parametrize("text", ["nan", "inf", "-infinity", "word", "1 m", ""])
+def test_words_of_set_stay_words(text: str) -> None:
+    assert read_setting(f"title={text}") == ("title", text)
+
+
+def test_characters_that_the_font_lacks_are_named_in_one_line(tmp_path: Path) -> None:
+    words = ("run", "midterm", "--set", "balls.red.id=球体", "--out", tmp_path / "out", "--no-animation")
+    done = process(*words)
+    assert (done.returncode, done.stderr) == (0, "warning: the figures' font lacks 球 体; boxes stand there\n")
 
 
 def test_piped_output_has_no_colours(tmp_path: Path) -> None:

@@ -107,3 +107,14 @@ def test_every_scenario_can_be_compared_in_figures(name: str, tmp_path: Path) ->
     comparison = carom.compare(carom.load(name), carom.load(name), samples=20)
     for draw in (comparison.plot_distance, comparison.plot_overlay):
         figures.save_figure(figures.figure_of(draw()), tmp_path / "figure.png", dpi=30)
+
+
+def test_a_long_id_is_shortened_in_legends() -> None:
+    run = carom.load("midterm").with_values({"balls.red.id": "$" + "x" * 110}).run()
+    comparison = carom.compare(run, run.scenario.with_values({"balls[0].velocity": [3.1, 4.0]}))
+    distance = comparison.plot_distance().get_legend()
+    (overlay,) = figures.figure_of(comparison.plot_overlay()).legends
+    assert distance is not None
+    for legend in (distance, overlay):
+        names = [text.get_text() for text in legend.get_texts()]
+        assert r"\$" + "x" * 10 + "\N{HORIZONTAL ELLIPSIS}" in names

@@ -159,6 +159,21 @@ def test_titles_say_time_and_moment(run: carom.Run, frames: int) -> None:
     assert all(one.x1 < other.x0 for one, other in itertools.pairwise(boxes))
 
 
+@pytest.mark.parametrize(("width", "length"), [(1.0, 200.0), (1e-9, 2e-9)])
+def test_titles_of_tall_and_of_tiny_tables_are_apart_and_differ(width: float, length: float) -> None:
+    table = carom.Table.rectangle(width=width, length=length)
+    ball = carom.Ball("p", radius=0.1 * width, position=(width / 2, width / 2), velocity=(3, 4))
+    axes = carom.Scenario(table, [ball], duration=5 * width).run().filmstrip()
+    assert len({ax.get_title() for ax in axes}) == 3
+    figure = drawn(axes)
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    boxes = [ax.title.get_window_extent(renderer) for ax in axes]
+    assert all(one.x1 < other.x0 for one, other in itertools.pairwise(boxes))
+    assert boxes[0].x0 > 0
+    assert boxes[-1].x1 < figure.bbox.width
+    assert all(box.y1 <= figure.bbox.height for box in boxes)
+
+
 def test_units_stand_in_titles_and_at_axes(midterm: carom.Scenario) -> None:
     run = midterm.with_values({"units": {"length": "m", "time": "s", "mass": "kg"}}).run()
     assert "0.8647 s" in run.filmstrip()[1].get_title()
@@ -249,14 +264,14 @@ def test_paths_pass_through_every_place_where_a_ball_turned(run: carom.Run) -> N
             assert np.linalg.norm(path - turn, axis=1).min() == 0.0
 
 
-def test_collisions_are_marked_at_their_places_and_numbered_in_order(run: carom.Run) -> None:
+def test_collisions_are_marked_at_their_places_and_numbered_as_in_the_table_of_events(run: carom.Run) -> None:
     ax = run.plot_paths()
     marks = [line for line in ax.lines if line.get_linestyle() == "None"]
     assert {line.get_marker() for line in marks} == {"o", "D"}
     places = np.concatenate([np.stack(line.get_data(), axis=1) for line in marks])
     expected = np.stack([run.events["x"], run.events["y"]], axis=1)
     np.testing.assert_array_equal(np.sort(places, axis=0), np.sort(expected, axis=0))
-    assert sorted(int(text.get_text()) for text in ax.texts) == list(range(1, len(run.events) + 1))
+    assert sorted(int(text.get_text()) for text in ax.texts) == run.events["index"].tolist()
 
 
 def test_numbers_cover_neither_each_other_nor_the_marks(run: carom.Run) -> None:
@@ -270,9 +285,21 @@ def test_numbers_cover_neither_each_other_nor_the_marks(run: carom.Run) -> None:
 
 
 def test_the_legend_of_paths_names_what_there_is(run: carom.Run, stadium: carom.Run) -> None:
-    for shown, words in ((run, ["start", "end", "ball-ball", "cushion"]), (stadium, ["start", "end", "cushion"])):
+    for shown, words in (
+        (run, ["start", "end", "ball-ball", "cushion", "contact"]),
+        (stadium, ["start", "end", "cushion"]),
+    ):
         (legend,) = figures.figure_of(shown.plot_paths()).legends
         assert [text.get_text() for text in legend.get_texts()] == words
+
+
+@pytest.mark.parametrize("draw", [figures.plot_energy, figures.plot_speed])
+def test_a_long_id_is_shortened_in_a_legend(draw: Any, midterm: carom.Scenario) -> None:
+    ax = draw(midterm.with_values({"balls.red.id": "x" * 110}).run())
+    renderer = FigureCanvasAgg(drawn(ax)).get_renderer()
+    legend = ax.get_legend()
+    assert legend.get_texts()[0].get_text() == "x" * 11 + "\N{HORIZONTAL ELLIPSIS}"
+    assert legend.get_window_extent(renderer).x1 <= drawn(ax).bbox.width
 
 
 def test_many_events_are_not_numbered(run: carom.Run) -> None:

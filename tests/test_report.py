@@ -114,6 +114,26 @@ def test_what_a_scenario_says_is_shown_as_text(midterm: carom.Scenario, text: st
     assert "49" not in [word.strip() for word in found.texts]
 
 
+def test_events_have_the_index_of_the_file_and_their_place_is_explained(run: carom.Run, html: str, page: Page) -> None:
+    rows = re.findall(r'<tr><td class="number">(\d+)</td>', html)
+    assert [int(number) for number in rows] == run.events["index"].tolist()
+    assert "the point of contact" in page.text
+
+
+def test_a_name_that_is_too_long_for_a_line_is_folded(midterm: carom.Scenario) -> None:
+    post = {"circle": {"center": [0.5, 1.7], "radius": 0.05}, "id": "post" * 27}
+    html = report_html(midterm.with_values({"table.obstacles": [post]}).run(), pictures={})
+    assert f'<th scope="row" class="long">{"post" * 27}</th>' in html
+    assert re.search(r"th\.long {[^}]*overflow-wrap: anywhere", html)
+
+
+def test_paper_leaves_the_scenario_out_and_shows_upright_pictures_large(html: str) -> None:
+    paper = html[html.index("@media print") : html.index("</style>")]
+    assert "details.scenario { display: none; }" in paper
+    assert re.search(r"\.picture\.upright img {[^}]*height: 205mm", paper)
+    assert re.search(r"\.lead[^{]*{ break-after: avoid", paper)
+
+
 def test_a_command_is_shown_as_text(run: carom.Run) -> None:
     command = command_line("run", "midterm", {"--set": ['title="</pre><script>x']})
     found = Page(report_html(run, pictures={}, command=command))
@@ -146,7 +166,7 @@ def test_a_report_holds_the_run(run: carom.Run, html: str, page: Page) -> None:
     assert f"carom {carom.__version__} physics_version {carom.PHYSICS_VERSION}" in page.text
     assert len(page.all("img")) == 5
     rows = re.findall(r"<tr><td class=\"number\">(\d+)</td><td class=\"number\">([\d.]+)</td><td>(\w+)</td>", html)
-    assert [int(number) for number, _, _ in rows] == list(range(1, 13))
+    assert [int(number) for number, _, _ in rows] == list(range(12))
     assert [float(time) for _, time, _ in rows] == [pytest.approx(time, abs=5e-6) for time in run.events["time"]]
     assert [kind for _, _, kind in rows] == run.events["kind"].tolist()
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass
+from typing import TYPE_CHECKING
 
 from carom.section import Section
+
+if TYPE_CHECKING:
+    from carom.vectors import Vector
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -37,10 +40,10 @@ class Ball(Section):
 
     id: str
     _: KW_ONLY
-    position: Sequence[float]
-    velocity: Sequence[float] | None = None
+    position: Vector
+    velocity: Vector | None = None
     speed: float | None = None
     direction_deg: float | None = None
     radius: float | None = None
     mass: float | None = None
-    color: str | Sequence[float] | None = None
+    color: str | Vector | None = None

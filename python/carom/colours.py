@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from carom.vectors import Vector
 
 # Paul Tol's "bright" and Okabe and Ito's sets, ordered so that neighbours differ in hue and in lightness;
 # all can be told apart with the common forms of colour blindness.
@@ -35,7 +39,7 @@ COLOUR_WORDS = {
 }
 
 
-def ball_colours(ids: Sequence[str], given: Sequence[str | Sequence[float] | None]) -> list[str]:
+def ball_colours(ids: Sequence[str], given: Sequence[str | Vector | None]) -> list[str]:
     """Choose a colour for every ball, as CSS and matplotlib write it.
 
     A colour given in the scenario comes first, then the ball's id where it is a colour word, then the palette
@@ -54,7 +58,7 @@ def ball_colours(ids: Sequence[str], given: Sequence[str | Sequence[float] | Non
     return chosen
 
 
-def _written(colour: str | Sequence[float]) -> str:
+def _written(colour: str | Vector) -> str:
     if isinstance(colour, str):
         return colour.lower()
     return "#" + "".join(f"{round(255 * part):02x}" for part in colour)

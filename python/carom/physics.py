@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import KW_ONLY, dataclass
-from typing import ClassVar, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 from carom.section import Section
+
+if TYPE_CHECKING:
+    from carom.vectors import Vector
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -22,7 +25,7 @@ class Field(Section):
 
     tag: ClassVar = {"law": "field"}
 
-    acceleration: Sequence[float]
+    acceleration: Vector
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -302,41 +302,60 @@ class Run:
         """Write the run to `path` as JSON; `carom.load_run` reads it."""
         write_text(path, self.to_json() + "\n")
 
-    def plot_paths(self, ax: Axes | None = None, **options: Any) -> Axes:
+    def plot_paths(self, ax: Axes | None = None, *, numbers: bool | None = None) -> Axes:
         """Draw the paths of the balls; see `carom.figures`."""
         from carom import figures
 
-        return figures.plot_paths(self, ax=ax, **options)
+        return figures.plot_paths(self, ax=ax, numbers=numbers)
 
-    def plot_energy(self, ax: Axes | None = None, **options: Any) -> Axes:
+    def plot_energy(self, ax: Axes | None = None) -> Axes:
         """Draw the energy over time; see `carom.figures`."""
         from carom import figures
 
-        return figures.plot_energy(self, ax=ax, **options)
+        return figures.plot_energy(self, ax=ax)
 
-    def plot_speed(self, ax: Axes | None = None, **options: Any) -> Axes:
+    def plot_speed(self, ax: Axes | None = None) -> Axes:
         """Draw the speeds of the balls over time; see `carom.figures`."""
         from carom import figures
 
-        return figures.plot_speed(self, ax=ax, **options)
+        return figures.plot_speed(self, ax=ax)
 
-    def plot_momentum(self, ax: Axes | None = None, **options: Any) -> Axes:
+    def plot_momentum(self, ax: Axes | None = None) -> Axes:
         """Draw the total momentum over time; see `carom.figures`."""
         from carom import figures
 
-        return figures.plot_momentum(self, ax=ax, **options)
+        return figures.plot_momentum(self, ax=ax)
 
-    def filmstrip(self, around: Event | None = None, **options: Any) -> Any:
+    def filmstrip(
+        self,
+        around: Event | None = None,
+        *,
+        frames: int = 3,
+        axes: Sequence[Axes] | None = None,
+        arrows: bool = True,
+        contact_axes: bool = True,
+    ) -> list[Axes]:
         """Draw an event before, during and after; see `carom.figures`."""
         from carom import figures
 
-        return figures.filmstrip(self, around=around, **options)
+        return figures.filmstrip(
+            self, around=around, frames=frames, axes=axes, arrows=arrows, contact_axes=contact_axes
+        )
 
-    def animate(self, path: str | os.PathLike[str], **options: Any) -> Path:
+    def animate(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        fps: float = 30.0,
+        speed: float = 1.0,
+        size: int = 640,
+        trail: float | None = None,
+        progress: bool | None = None,
+    ) -> Path:
         """Write a film of the run to `path`; see `carom.animation`."""
         from carom import animation
 
-        return animation.animate(self, path, **options)
+        return animation.animate(self, path, fps=fps, speed=speed, size=size, trail=trail, progress=progress)
 
     def report(self, path: str | os.PathLike[str], *, figures: bool = True) -> None:
         """Write all there is to know of the run to `path`, as one HTML file that needs nothing else.

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from carom.section import Section
 
-Point = Sequence[float]
-"""A point (x, y), in length."""
+if TYPE_CHECKING:
+    from carom.vectors import Vector
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Line(Section):
     """A straight piece of a path from `start` to `end`; the table lies to its left."""
 
-    start: Point
-    end: Point
+    start: Vector
+    end: Vector
     id: str | None = None
 
     def to_dict(self) -> dict[str, Any]:
@@ -33,7 +33,7 @@ class Arc(Section):
     table lies to the left of its direction.
     """
 
-    center: Point
+    center: Vector
     radius: float
     _: KW_ONLY
     from_deg: float
@@ -55,7 +55,7 @@ class Arc(Section):
 class Circle(Section):
     """A round pillar on a table."""
 
-    center: Point
+    center: Vector
     radius: float
     id: str | None = None
 
@@ -68,8 +68,8 @@ class Circle(Section):
 class Wall(Section):
     """A thin wall on a table, hit from both sides."""
 
-    start: Point
-    end: Point
+    start: Vector
+    end: Vector
     id: str | None = None
 
     def to_dict(self) -> dict[str, Any]:

@@ -3,17 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
+from carom.cli import ending_with_the_pipe
 from carom.cli.bench import bench
 from carom.cli.check import check, verify
 from carom.cli.compare import compare
 from carom.cli.run import run
 from carom.cli.scenarios import scenarios, schema
 
+
+class Commands(TyperGroup):
+    """The commands; a closed pipe ends them before typer sees it, which would make it exit code 1."""
+
+    def make_context(self, *args: Any, **more: Any) -> Any:
+        """Read the command line, and print help where it asks for it."""
+        with ending_with_the_pipe():
+            return super().make_context(*args, **more)
+
+    def invoke(self, *args: Any, **more: Any) -> Any:
+        """Run the command."""
+        with ending_with_the_pipe():
+            return super().invoke(*args, **more)
+
+
 app = typer.Typer(
+    cls=Commands,
     help="How balls move on a table: exact, fast, and the same everywhere.",
     epilog="Start with: carom run midterm",
     no_args_is_help=True,

@@ -42,7 +42,7 @@ def compare(
     ] = None,
     tolerance: Annotated[
         float | None,
-        typer.Option(metavar="D", min=0.0, help="Exit with 1 beyond this distance.  [default: with FILE 1e-6]"),
+        typer.Option(metavar="D", help="Exit with 1 beyond this distance.  [default: with FILE 1e-6]"),
     ] = None,
     delimiter: Annotated[
         str | None, typer.Option(metavar="C", help="Between FILE's columns: one character, tab or space.  [default: ,]")
@@ -83,8 +83,8 @@ def compare(
     given: dict[str, Any] = {"--dt": dt, "--method": method, "--columns": columns, "--delimiter": delimiter}
     given |= {"--decimal": decimal}
     given |= {"B": b, "--set-a": settings_a, "--set-b": settings_b, "--tolerance": tolerance}
-    if tolerance is not None and not tolerance < float("inf"):
-        raise typer.BadParameter("must be finite", param_hint="--tolerance")
+    if tolerance is not None and not 0.0 <= tolerance < float("inf"):
+        raise typer.BadParameter("must be zero or positive and finite", param_hint="--tolerance")
     place = Destination(out, options.read_formats(formats), overwrite, as_json)
     if trajectory is not None:
         _refuse(given, ("B", "--set-a", "--set-b"), "--with compares FILE with A alone")

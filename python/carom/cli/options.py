@@ -63,12 +63,12 @@ def is_saved_run(source: str) -> bool:
 
 
 def read_setting(setting: str) -> tuple[str, Any]:
-    """Read ``PATH=VALUE``; the value is JSON, or else a word.
+    """Read ``PATH=VALUE``; the value is JSON, a number as Python and TOML write it, or else a word.
 
     Examples
     --------
-    >>> read_setting("duration=10"), read_setting("table.shape=circle")
-    (('duration', 10), ('table.shape', 'circle'))
+    >>> read_setting("duration=10"), read_setting("table.shape=circle"), read_setting("table.width=.9")
+    (('duration', 10), ('table.shape', 'circle'), ('table.width', 0.9))
     """
     path, equals, value = setting.partition("=")
     if not equals or not path:
@@ -76,7 +76,18 @@ def read_setting(setting: str) -> tuple[str, Any]:
     try:
         return path, json.loads(value)
     except json.JSONDecodeError:
-        return path, value
+        return path, _number(value)
+
+
+def _number(text: str) -> float | str:
+    """Read ``.9``, ``1.``, ``+2`` and ``1_000``, which JSON does not know; anything else stays a word."""
+    for read in (int, float):
+        try:
+            number = read(text)
+        except ValueError:
+            continue
+        return number if text[-1].isdigit() or text.endswith(".") else text
+    return text
 
 
 def command_line(command: str, source: str, given: Mapping[str, Any]) -> str:

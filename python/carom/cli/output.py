@@ -3,28 +3,33 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import sys
 import textwrap
+import warnings
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
 import typer
 
-from carom.cli import INTERRUPTED
+from carom.cli import INTERRUPTED, is_closed_pipe
 from carom.errors import CaromError, ListedError
 
 PROBLEM = 1
 TROUBLE = 2
 """The exit code of a comparison that could not be made, as of ``diff`` and ``cmp``; of wrong usage everywhere."""
+LEAST_WORDS = 8
+"""A column of words is folded, where it must be, into lines of so many letters."""
 
 
 @contextmanager
 def reporting(code: int = PROBLEM) -> Iterator[None]:
     """Turn what can go wrong in a command into lines on stderr and an exit code; also a decorator."""
     try:
-        yield
+        with _warning_plainly():
+            yield
     except ListedError as error:
         for place, message in error.problems:
             say_error(place, message)
@@ -32,13 +37,34 @@ def reporting(code: int = PROBLEM) -> Iterator[None]:
     except CaromError as error:
         say_error("", str(error))
         raise typer.Exit(code) from None
-    except BrokenPipeError:
-        raise
     except OSError as error:
+        if is_closed_pipe(error):
+            raise
         say_error(str(error.filename or ""), error.strerror or str(error))
         raise typer.Exit(code) from None
     except KeyboardInterrupt:
         raise typer.Exit(INTERRUPTED) from None
+
+
+@contextmanager
+def _warning_plainly() -> Iterator[None]:
+    """Print what Python and matplotlib warn of as lines without a place in their source, glyphs in one."""
+    lacking: dict[str, None] = {}
+
+    def show(message: Warning | str, *_: object, **__: object) -> None:
+        glyph = re.match(r"Glyph (\d+) ", str(message))
+        if glyph:
+            lacking[chr(int(glyph[1]))] = None
+        else:
+            print(f"warning: {message}", file=sys.stderr)
+
+    with warnings.catch_warnings():
+        warnings.showwarning = show
+        try:
+            yield
+        finally:
+            if lacking:
+                print(f"warning: the figures' font lacks {' '.join(lacking)}; boxes stand there", file=sys.stderr)
 
 
 def say_error(place: str, message: str) -> None:
@@ -87,18 +113,50 @@ def print_table(
 
     texts = (_short_texts(values, small=name in small) for name, values in columns.items())
     shown = list(zip(*texts, strict=True))[:most]
+    numeric = [all(isinstance(value, (int, float)) for value in values) for values in columns.values()]
+    heads = [name.replace("_", " ") if number else name for name, number in zip(columns, numeric, strict=True)]
+    console = Console(highlight=False, markup=False, emoji=False)
+    widths = _widths(heads, list(columns.values()), shown, console.width)
+    # Where the numbers do not fit, lines are longer than the terminal: nothing is cut, and no column is left out.
+    console.width = max(console.width, sum(widths) + _between(widths))
     table = Table(title=title or None, title_justify="left", box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
-    for name, values in columns.items():
-        numeric = all(isinstance(value, (int, float)) for value in values)
-        # What becomes narrow first is a head of two words; no value is cut while there is room for all.
-        head = name.replace("_", " ") if numeric else name
-        whole = " " not in head and name != list(columns)[-1]
-        table.add_column(head, justify="right" if numeric else "left", no_wrap=whole, overflow="fold")
+    for head, number, width in zip(heads, numeric, widths, strict=True):
+        table.add_column(head, justify="right" if number else "left", width=width, overflow="fold")
     for row in shown:
         table.add_row(*row)
     if len(shown) < len(rows):
         table.caption = f"and {len(rows) - len(shown)} more"
-    Console(highlight=False).print(table)
+    console.print(table)
+
+
+def _widths(
+    heads: Sequence[str], columns: Sequence[Sequence[Any]], shown: Sequence[Sequence[str]], room: int
+) -> list[int]:
+    """Choose the widths of columns: heads of two words become narrow first, then words, numbers never."""
+    from rich.cells import cell_len
+
+    cells = [[row[place] for row in shown] for place in range(len(heads))]
+    contents = [max(map(cell_len, texts), default=0) for texts in cells]
+    least = [
+        max(
+            max(map(cell_len, head.split()), default=0),
+            *(len(text) for text, value in zip(texts, values, strict=False) if isinstance(value, (int, float))),
+            min(content, LEAST_WORDS),
+        )
+        for head, texts, values, content in zip(heads, cells, columns, contents, strict=True)
+    ]
+    widths = [max(cell_len(head), content) for head, content in zip(heads, contents, strict=True)]
+    while sum(widths) + _between(widths) > room:
+        wide = [place for place, width in enumerate(widths) if width > least[place]]
+        if not wide:
+            break
+        widths[max(wide, key=lambda place: (widths[place] > contents[place], widths[place]))] -= 1
+    return widths
+
+
+def _between(widths: Sequence[int]) -> int:
+    """Give the room that the table takes beside its columns: two spaces for each, and one at the end."""
+    return 2 * len(widths) + 1
 
 
 def _exact_text(value: Any) -> str:

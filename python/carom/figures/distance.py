@@ -105,7 +105,7 @@ def _draw_balls(ax: Axes, seen: Compared, distances: NDArray[np.float64]) -> Non
             linewidth=0.8 if dots else 1.3,
             marker="o" if dots else None,
             markersize=2.2,
-            label=name,
+            label=style.legend_name(name),
             zorder=2.0 + 0.01 * ball,
         )
 

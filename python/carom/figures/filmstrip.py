@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 PAGE_WIDTH = 7.2
 PAGE_HEIGHT = 8.4
-LEFT, RIGHT, GAP, BELOW, TITLE, NARROW = 0.5, 0.1, 0.16, 0.36, 0.3, 1.8  # inches
+LEFT, RIGHT, GAP, BELOW, TITLE, NARROW, LEAST = 0.5, 0.1, 0.16, 0.36, 0.3, 1.8, 1.0  # inches
 LABEL_GAP, LABEL_ROOM = 6.5, 11.0  # points
 
 
@@ -127,17 +127,19 @@ def _new_axes(scene: Scene, frames: int) -> list[Axes]:
     in_row = ratio > 0.62
     columns, rows = (frames, 1) if in_row else (1, frames)
     across = (PAGE_WIDTH - LEFT - RIGHT - (columns - 1) * GAP) / columns
-    title = TITLE if across >= NARROW else 1.6 * TITLE
-    along = (PAGE_HEIGHT - BELOW) / rows - title
-    width = min(across, along / ratio, 4.6)
+    most = (PAGE_HEIGHT - BELOW) / rows
+    title = TITLE if min(across, (most - TITLE) / ratio) >= NARROW else 1.6 * TITLE
+    width = min(across, (most - title) / ratio, 4.6)
     height = width * ratio
-    total_width = LEFT + RIGHT + columns * width + (columns - 1) * GAP
+    beside = max(0.0, LEAST - width) / 2  # room for the titles of frames that are narrower
+    pitch = width + 2 * beside + GAP
+    total_width = LEFT + RIGHT + columns * pitch - GAP
     total_height = BELOW + rows * (height + title)
     figure = style.new_figure(total_width, total_height)
     axes = []
     for frame in range(frames):
         column, row = (frame, 0) if in_row else (0, frame)
-        left = LEFT + column * (width + GAP)
+        left = LEFT + beside + column * pitch
         bottom = total_height - (row + 1) * (height + title)
         place = (left / total_width, bottom / total_height, width / total_width, height / total_height)
         axes.append(figure.add_axes(place))
@@ -283,8 +285,13 @@ def _title(ax: Axes, strip: Strip, frame: int) -> str:
     """Give a frame's title: its time, and what it shows; in two lines where the frame is narrow."""
     least = float(np.diff(strip.times)[np.diff(strip.times) > 0].min(initial=1.0))
     digits = int(np.clip(np.ceil(-np.log10(least)) + 2, 1, 9))
+    # Where so many decimals leave times alike, as many digits as tell them apart.
+    texts = [f"{time:.{digits}f}" for time in strip.times]
+    more = (f"{{:.{significant}g}}" for significant in range(3, 18))
+    while len(set(texts)) < len(set(strip.times.tolist())):
+        texts = list(map(next(more).format, strip.times))
     unit = strip.scene.unit("time")
-    time = f"t = {strip.times[frame]:.{digits}f}" + (f" {unit}" if unit else "")
+    time = f"t = {texts[frame]}" + (f" {unit}" if unit else "")
     kind = {"ball_ball": "collision", "ball_cushion": "cushion"}.get(strip.event.kind, strip.event.kind)
     words = ("before", kind, "after")[int(np.sign(frame - strip.middle)) + 1]
     width = ax.get_position(original=True).width * style.figure_of(ax).get_figwidth()

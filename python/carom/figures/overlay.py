@@ -142,7 +142,13 @@ def _handles(seen: Compared, chosen: list[int], dots: bool, until: float) -> lis
     ]
     if len(seen.ids) > 1:
         handles += [
-            Line2D([], [], color=style.line_colour(seen.colours[ball]), linewidth=2.0, label=seen.ids[ball])
+            Line2D(
+                [],
+                [],
+                color=style.line_colour(seen.colours[ball]),
+                linewidth=2.0,
+                label=style.legend_name(seen.ids[ball]),
+            )
             for ball in chosen
         ]
     if seen.meeting is not None:

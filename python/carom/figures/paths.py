@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 MOST_NUMBERS = 30
 MOST_MARKS = 400
 SAMPLES = 500
+RING = 0.4
+"""How opaque the balls at their contacts are."""
+NUMBER_SIZE = 9.0
 MARGIN = 0.055
 MARGIN_WITHOUT_NUMBERS = 0.035
 LEGEND_COLUMN, LEGEND_ROW = 0.86, 0.18  # inches
@@ -34,7 +37,8 @@ LEGEND = {"frameon": False, "handletextpad": 0.1, "columnspacing": 1.2, "bordera
 def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None) -> Axes:
     """Draw where every ball went, from its start (a ring) to its end (a disc).
 
-    Ball-ball contacts are marked by diamonds, cushion contacts by small dots, up to `MOST_MARKS` of them.
+    Ball-ball contacts are marked by diamonds, cushion contacts by small dots, up to `MOST_MARKS` of them. Where
+    events are numbered, pale rings are the two balls at each ball-ball contact.
 
     Parameters
     ----------
@@ -43,7 +47,7 @@ def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None)
     ax : Axes, optional
         Where to draw; a new figure is made if not given.
     numbers : bool, optional
-        Number the events in order of time. If not given: where there are no more than 30.
+        Write the events' numbers: those of `Run.events`, from 0. If not given: where there are no more than 30.
 
     Returns
     -------
@@ -53,10 +57,11 @@ def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None)
     count = len(run.events)
     numbered = count <= MOST_NUMBERS if numbers is None else numbers
     marked = run.events if numbered or count <= MOST_MARKS else run.events[:0]
-    events = [event for event in marked if np.isfinite(event.x) and np.isfinite(event.y)]
+    events = {n: event for n, event in enumerate(marked) if np.isfinite(event.x) and np.isfinite(event.y)}
     margin = MARGIN if numbered else MARGIN_WITHOUT_NUMBERS
-    kinds = [kind for kind in style.EVENT_WORDS if count <= MOST_MARKS and _some_of(events, kind)]
-    ax = _new_axes(scene, margin, kinds) if ax is None else ax
+    found = {event.kind for event in events.values()}
+    kinds = [kind for kind in style.EVENT_WORDS if count <= MOST_MARKS and kind in found]
+    ax = _new_axes(scene, margin, _legend_marks(kinds, rings=numbered and "ball_ball" in kinds)) if ax is None else ax
     draw_table(ax, scene, margin=margin)
     ax.set_xlabel(scene.label("x", "length"), fontsize=style.LABEL_SIZE, labelpad=1)
     ax.set_ylabel(scene.label("y", "length"), fontsize=style.LABEL_SIZE, labelpad=2)
@@ -66,40 +71,38 @@ def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None)
     draw_balls(ax, scene, places[0], filled=False, zorder=2.6)
     draw_balls(ax, scene, places[-1], zorder=3.0)
     for kind in kinds:
-        _draw_marks(ax, scene, events, kind)
+        _draw_marks(ax, scene, list(events.values()), kind)
     if numbered:
-        _draw_contact_rings(ax, run, scene, events)
+        _draw_contact_rings(ax, run, scene, list(events.values()))
         _draw_numbers(ax, run, scene, events, places)
     return ax
 
 
-def _some_of(events: list[Event], kind: str) -> bool:
-    return any(event.kind == kind for event in events)
-
-
-def _new_axes(scene: Scene, margin: float, kinds: list[str]) -> Axes:
+def _new_axes(scene: Scene, margin: float, marks: list[Line2D]) -> Axes:
     """Make an axes as large as a page's column allows, in the table's proportions, with a legend of its marks."""
     ratio = framed_ratio(scene, margin)
     width = min(5.4, 6.4 / ratio)
     left, right, above = 0.5, 0.1, 0.06
-    marks = _legend_marks(kinds)
     columns = max(1, min(len(marks), int((left + width + right) / LEGEND_COLUMN)))
-    below = 0.5 + LEGEND_ROW * -(-len(marks) // columns)
+    rows = -(-len(marks) // columns)
+    below = 0.5 + LEGEND_ROW * rows
     total = (left + width + right, below + width * ratio + above)
     figure = style.new_figure(*total)
     place = (left / total[0], below / total[1], width / total[0], width * ratio / total[1])
     ax = figure.add_axes(place)
-    figure.legend(handles=marks, loc="lower center", ncols=columns, fontsize=style.TICK_SIZE, **LEGEND)
+    figure.legend(handles=marks, loc="lower center", ncols=-(-len(marks) // rows), fontsize=style.TICK_SIZE, **LEGEND)
     return ax
 
 
-def _legend_marks(kinds: list[str]) -> list[Line2D]:
+def _legend_marks(kinds: list[str], *, rings: bool) -> list[Line2D]:
     """Give one sample of each mark, with its meaning."""
     grey = style.FAINT_INK
+    ring = Line2D([], [], linestyle="none", marker="o", markersize=8, mfc="none", mec=grey, alpha=RING, label="contact")
     return [
         Line2D([], [], linestyle="none", marker="o", markersize=8, mfc="none", mec=grey, label="start"),
         Line2D([], [], linestyle="none", marker="o", markersize=8, mfc=grey, mec=style.BALL_EDGE, label="end"),
         *(Line2D([], [], linestyle="none", label=style.EVENT_WORDS[kind], **_mark(kind)) for kind in kinds),
+        *([ring] if rings else []),
     ]
 
 
@@ -142,30 +145,30 @@ def _draw_contact_rings(ax: Axes, run: Run, scene: Scene, events: list[Event]) -
             places = run.positions([event.time])[0, :, :2]
             others = [ball for ball, name in enumerate(scene.ids) if name not in event.balls]
             places[others] = np.nan
-            draw_balls(ax, scene, places, filled=False, alpha=0.4, zorder=2.4)
+            draw_balls(ax, scene, places, filled=False, alpha=RING, zorder=2.4)
 
 
-def _draw_numbers(ax: Axes, run: Run, scene: Scene, events: list[Event], places: NDArray[np.float64]) -> None:
+def _draw_numbers(ax: Axes, run: Run, scene: Scene, events: dict[int, Event], places: NDArray[np.float64]) -> None:
     """Put numbers at the events: at cushions outside the table, between balls where there is room."""
     scale = points_per_unit(ax)
     curves = places.reshape(-1, 2)[:: max(1, places.size // 8000)]
-    labeller = Labeller(lines=np.concatenate([curves, _ring_points(run, scene, events)]) * scale)
-    labeller.avoid([np.array(event.position) * scale for event in events], 2.5)
+    labeller = Labeller(lines=np.concatenate([curves, _ring_points(run, scene, [*events.values()])]) * scale)
+    labeller.avoid([np.array(event.position) * scale for event in events.values()], 2.5)
     for radius, place in zip(scene.radii, places[-1], strict=True):
         labeller.avoid([place * scale], float(radius) * scale)
-    ordered = sorted(enumerate(events, start=1), key=lambda item: item[1].kind != "ball_cushion")
+    ordered = sorted(events.items(), key=lambda item: item[1].kind != "ball_cushion")
     for number, event in ordered:
         at_cushion = event.kind == "ball_cushion"
         away = -_inward(run, scene, event) if at_cushion else None
         anchor = np.array(event.position) * scale
-        size = style.SMALL_SIZE * (1.0 if number < 10 else 1.35)
+        size = NUMBER_SIZE * (1.0 if number < 10 else 1.35)
         centre = labeller.place(anchor, size, 9.0 if at_cushion else 4.0 + size / 2, away) / scale
         colour = style.INK if at_cushion else style.EVENT_COLOURS["ball_ball"]
         ax.text(
             float(centre[0]),
             float(centre[1]),
             str(number),
-            fontsize=style.SMALL_SIZE,
+            fontsize=NUMBER_SIZE,
             fontweight="normal" if at_cushion else "bold",
             color=colour,
             ha="center",

@@ -39,6 +39,8 @@ TITLE_SIZE = 10.0
 LABEL_SIZE = 9.0
 TICK_SIZE = 8.0
 SMALL_SIZE = 7.0
+LONGEST_NAME = 12
+"""So many letters of an id are in a legend, whose columns are narrow."""
 
 # A PDF embeds its fonts as fonts (text stays searchable); no file holds a date or random names, so that the
 # same figure gives the same file.
@@ -121,8 +123,9 @@ def tidy_axes(ax: Axes) -> None:
 
 
 def legend_name(name: str) -> str:
-    """Give an id as a legend is to show it: not read as mathematics, nor left out for a leading underscore."""
-    shown = name.replace("$", r"\$")
+    """Give an id as a legend is to show it: no longer than fits, not read as mathematics, nor left out for its "_"."""
+    short = name if len(name) <= LONGEST_NAME else f"{name[: LONGEST_NAME - 1]}\N{HORIZONTAL ELLIPSIS}"
+    shown = short.replace("$", r"\$")
     return f"\N{ZERO WIDTH SPACE}{shown}" if shown.startswith("_") else shown
 
 

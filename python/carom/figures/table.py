@@ -62,6 +62,11 @@ def draw_table(ax: Axes, scene: Scene, *, margin: float = MARGIN) -> None:
     _frame_table(ax, scene, margin * scene.size)
 
 
+def _short_number(value: float, _: float) -> str:
+    """Write a number with its power of ten, which beside the axis would stand in the way of a title."""
+    return f"{value:g}".replace("e-0", "e-").replace("e+0", "e")
+
+
 def framed_ratio(scene: Scene, margin: float = MARGIN) -> float:
     """Give height over width of a table with the room around it."""
     room = 2.0 * margin * scene.size
@@ -79,6 +84,8 @@ def _frame_table(ax: Axes, scene: Scene, margin: float) -> None:
     ax.tick_params(labelsize=style.TICK_SIZE, color=style.FAINT_INK, labelcolor=style.INK, length=2.5, pad=2)
     for axis in (ax.xaxis, ax.yaxis):
         axis.set_major_locator(MaxNLocator(nbins=4, steps=[1, 2, 5, 10]))
+        if not 1e-3 <= scene.size < 1e5:
+            axis.set_major_formatter(_short_number)
 
 
 def draw_balls(

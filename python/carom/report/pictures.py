@@ -33,8 +33,9 @@ TITLES = {
 CAPTIONS = {
     "filmstrip": "One event. Arrows are velocities, dashed ones those just before it; n is the normal of the contact, "
     "t its tangent.",
-    "paths": "Every ball from its start (a ring) to its end (a disc). Diamonds are contacts of balls, dots contacts "
-    "with cushions; numbers, where there are any, are those of the events below.",
+    "paths": "Every ball from its start (a ring) to its end (a disc). Diamonds are contacts of balls, with the "
+    "two balls as pale rings, dots contacts with cushions; numbers, where there are any, are the index of events.csv "
+    "and of the events below, from 0.",
     "energy": "Kinetic energy of each ball, and the total. The ticks below the curves are the events.",
     "speed": "Speed of each ball.",
     "momentum": "Total momentum: contacts of balls leave it as it is, cushions and fields change it.",

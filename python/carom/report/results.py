@@ -76,10 +76,10 @@ def event_table(run: Run) -> dict[str, Any] | None:
     kept, units = run.events, run.scenario.units
     shown = kept[:MOST_EVENTS]
     heads = {name: _head(name, unit_of(units, quantity)) for name, quantity in NUMBERS.items()}
-    columns: list[list[str]] = [[exact(index + 1) for index in shown["index"].tolist()], column(shown["time"])]
+    columns: list[list[str]] = [[exact(index) for index in shown["index"].tolist()], column(shown["time"])]
     columns += [["" if word is None else word for word in shown[name]] for name in WORDS]
     columns += [column(shown[name]) for name in NUMBERS]
-    names = ["no.", _head("time", units.get("time")), *WORDS, *heads.values()]
+    names = ["index", _head("time", units.get("time")), *WORDS, *heads.values()]
     if np.any(kept["cluster"] >= 0):
         names.append("cluster")
         columns.append(["" if number < 0 else exact(number) for number in shown["cluster"].tolist()])
