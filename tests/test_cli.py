@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import warnings
 from collections.abc import Iterator
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
@@ -24,6 +25,7 @@ import pytest
 import carom
 from carom.cli import main
 from carom.cli.options import read_setting
+from carom.cli.output import reporting
 
 RUN_FILES = {"events.csv", "trajectory.csv", "run.json", "report.html"}
 FIGURES = {"filmstrip", "paths", "energy", "speed", "momentum"}
@@ -638,3 +640,12 @@ def test_help_loads_nothing_heavy() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stderr.strip() == "[]"
+
+
+def test_what_libraries_say_to_their_developers_is_not_printed(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.warns(DeprecationWarning, match="old name"), reporting():
+        warnings.warn("old name", DeprecationWarning, stacklevel=1)
+    with reporting():
+        warnings.simplefilter("always")
+        warnings.warn("look here", UserWarning, stacklevel=1)
+    assert capsys.readouterr().err == "warning: look here\n"

@@ -48,10 +48,17 @@ def reporting(code: int = PROBLEM) -> Iterator[None]:
 
 @contextmanager
 def _warning_plainly() -> Iterator[None]:
-    """Print what Python and matplotlib warn of as lines without a place in their source, glyphs in one."""
-    lacking: dict[str, None] = {}
+    """Print what Python and matplotlib warn of as lines without a place in their source, glyphs in one.
 
-    def show(message: Warning | str, *_: object, **__: object) -> None:
+    What is meant for those who develop libraries goes where it went before, which is nowhere unless it was asked for.
+    """
+    lacking: dict[str, None] = {}
+    before = warnings.showwarning
+
+    def show(message: Warning | str, category: type[Warning], *place: Any, **more: Any) -> None:
+        if issubclass(category, DeprecationWarning | PendingDeprecationWarning):
+            before(message, category, *place, **more)
+            return
         glyph = re.match(r"Glyph (\d+) ", str(message))
         if glyph:
             lacking[chr(int(glyph[1]))] = None
