@@ -2,6 +2,7 @@
 
 import signal
 
+import course_scheme as course
 import pytest
 
 import carom
@@ -35,3 +36,15 @@ def long_running() -> carom.Scenario:
         carom.Ball("b", radius=0.1, position=(0.7, 0.6), velocity=(-0.4, 0.9)),
     ]
     return carom.Scenario(table, balls, duration=1e12, record="none", max_events=10**12)
+
+
+@pytest.fixture(scope="session")
+def scheme() -> carom.Scenario:
+    """The exercise in steps, as a scenario."""
+    return carom.load("midterm_stepped")
+
+
+@pytest.fixture(scope="session")
+def right() -> list[course.Row]:
+    """What a right program for the exercise gives."""
+    return course.simulate()
