@@ -11,6 +11,8 @@ import pytest
 
 import carom
 from carom import ColumnTable, Scenario, TrajectoryComparison, TrajectoryError, compare_trajectory
+from carom.comparison.scheme import READINGS
+from carom.report.words import choices
 
 COLUMNS = "t,xr,yr,xb,yb"
 Compared = Callable[..., TrajectoryComparison]
@@ -575,3 +577,8 @@ def test_in_a_field_the_factor_of_a_cushion_is_measured_too() -> None:
     text = said(compare_trajectory(scenario, other.trajectory(np.arange(0.0, 2.0, 0.01)), duration=1.99))
     assert "the contact of ball with the bottom cushion at t = 1" in text
     assert "multiplies the normal component of ball's velocity by -0.7 (Carom: -0.8)" in text
+
+
+def test_the_readings_tried_are_those_of_the_schema() -> None:
+    kinds = {"after_hit": "AfterHit", "normal": "NormalTaken", "last_step": "LastStep"}
+    assert {name: tuple(choices(kind)) for name, kind in kinds.items()} == READINGS

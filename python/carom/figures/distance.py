@@ -65,16 +65,7 @@ def plot_distance(comparison: RunComparison | TrajectoryComparison, ax: Axes | N
     if not np.isfinite(distances).any():
         words = "no distance at any time"
         ax.text(0.5, 0.5, words, transform=ax.transAxes, ha="center", color=style.INK, fontsize=style.LABEL_SIZE)
-    ax.legend(
-        loc="lower left",
-        bbox_to_anchor=(0.0, 1.0),
-        ncols=LEGEND_COLUMNS,
-        fontsize=style.TICK_SIZE,
-        frameon=False,
-        handlelength=1.4,
-        columnspacing=1.3,
-        borderaxespad=0.2,
-    )
+    style.legend_above(ax, LEGEND_COLUMNS)
     return ax
 
 

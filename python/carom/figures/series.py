@@ -137,16 +137,7 @@ def _finish(ax: Axes, run: Run, scene: Scene, words: str, quantity: str, *, from
     _draw_event_ticks(ax, run)
     ax.set_xlabel(scene.label("time", "time"), fontsize=style.LABEL_SIZE)
     ax.set_ylabel(scene.label(words, quantity, power), fontsize=style.LABEL_SIZE)
-    ax.legend(
-        loc="lower left",
-        bbox_to_anchor=(0.0, 1.0),
-        ncols=LEGEND_COLUMNS,
-        fontsize=style.TICK_SIZE,
-        frameon=False,
-        handlelength=1.4,
-        columnspacing=1.3,
-        borderaxespad=0.2,
-    )
+    style.legend_above(ax, LEGEND_COLUMNS)
     return ax
 
 

@@ -129,6 +129,20 @@ def legend_name(name: str) -> str:
     return f"\N{ZERO WIDTH SPACE}{shown}" if shown.startswith("_") else shown
 
 
+def legend_above(ax: Axes, columns: int) -> None:
+    """Put the legend of curves above them."""
+    ax.legend(
+        loc="lower left",
+        bbox_to_anchor=(0.0, 1.0),
+        ncols=columns,
+        fontsize=TICK_SIZE,
+        frameon=False,
+        handlelength=1.4,
+        columnspacing=1.3,
+        borderaxespad=0.2,
+    )
+
+
 def line_colour(colour: str) -> tuple[float, float, float]:
     """Give the colour of a ball's lines: its own, darkened where it would not show on white."""
     red, green, blue = to_rgb(colour)

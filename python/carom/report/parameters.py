@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from carom.colours import ball_colours
 from carom.report.rows import Row
-from carom.report.text import column, counted, exact, listed, point, short, with_unit
+from carom.report.text import column, counted, exact, head, listed, point, short, with_unit
 from carom.report.words import choices
 from carom.units import unit_of
 
@@ -74,12 +74,12 @@ def ball_table(scenario: Scenario) -> dict[str, Any]:
     speed = unit_of(scenario.units, "speed")
     length, mass = scenario.units.get("length"), scenario.units.get("mass")
     columns = {
-        _head("radius", length): column([ball.radius or 0.0 for ball in shown]),
-        _head("mass", mass): column([1.0 if ball.mass is None else ball.mass for ball in shown]),
-        _head("x", length): column([ball.position[0] for ball in shown]),
-        _head("y", length): column([ball.position[1] for ball in shown]),
-        _head("velocity x", speed): column([ball.velocity[0] if ball.velocity else 0.0 for ball in shown]),
-        _head("velocity y", speed): column([ball.velocity[1] if ball.velocity else 0.0 for ball in shown]),
+        head("radius", length): column([ball.radius or 0.0 for ball in shown]),
+        head("mass", mass): column([1.0 if ball.mass is None else ball.mass for ball in shown]),
+        head("x", length): column([ball.position[0] for ball in shown]),
+        head("y", length): column([ball.position[1] for ball in shown]),
+        head("velocity x", speed): column([ball.velocity[0] if ball.velocity else 0.0 for ball in shown]),
+        head("velocity y", speed): column([ball.velocity[1] if ball.velocity else 0.0 for ball in shown]),
     }
     numbers = zip(*columns.values(), strict=True)
     rows = [
@@ -87,10 +87,6 @@ def ball_table(scenario: Scenario) -> dict[str, Any]:
         for colour, ball, row in zip(colours[:MOST_BALLS], shown, numbers, strict=True)
     ]
     return {"heads": list(columns), "rows": rows, "count": len(balls), "left": len(balls) - len(shown)}
-
-
-def _head(words: str, unit: str | None) -> str:
-    return f"{words} ({unit})" if unit else words
 
 
 def law_rows(scenario: Scenario) -> list[Row]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from carom.report import words
 from carom.report.rows import Row
-from carom.report.text import column, counted, exact, listed, short, with_unit
+from carom.report.text import column, counted, exact, head, listed, short, with_unit
 from carom.units import unit_of
 
 if TYPE_CHECKING:
@@ -75,20 +75,16 @@ def event_table(run: Run) -> dict[str, Any] | None:
         return None
     kept, units = run.events, run.scenario.units
     shown = kept[:MOST_EVENTS]
-    heads = {name: _head(name, unit_of(units, quantity)) for name, quantity in NUMBERS.items()}
+    heads = {name: head(name, unit_of(units, quantity)) for name, quantity in NUMBERS.items()}
     columns: list[list[str]] = [[exact(index) for index in shown["index"].tolist()], column(shown["time"])]
     columns += [["" if word is None else word for word in shown[name]] for name in WORDS]
     columns += [column(shown[name]) for name in NUMBERS]
-    names = ["index", _head("time", units.get("time")), *WORDS, *heads.values()]
+    names = ["index", head("time", units.get("time")), *WORDS, *heads.values()]
     if np.any(kept["cluster"] >= 0):
         names.append("cluster")
         columns.append(["" if number < 0 else exact(number) for number in shown["cluster"].tolist()])
     rows = list(zip(*columns, strict=True))
     return {"heads": names, "rows": rows, "words": range(2, 2 + len(WORDS)), "count": len(kept)}
-
-
-def _head(name: str, unit: str | None) -> str:
-    return f"{name} ({unit})" if unit else name
 
 
 def step_rows(run: Run) -> list[Row]:

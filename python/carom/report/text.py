@@ -69,6 +69,11 @@ def with_unit(text: str, unit: str | None) -> str:
     return f"{text}\N{NO-BREAK SPACE}{unit}" if unit else text
 
 
+def head(words: str, unit: str | None) -> str:
+    """Give the head of a column, with the unit of its numbers where there is one."""
+    return f"{words} ({unit})" if unit else words
+
+
 def counted(count: int, word: str) -> str:
     """Give a count and its word: ``1 ball``, ``2 balls``."""
     return f"{exact(count)} {word}{'' if count == 1 else 's'}"

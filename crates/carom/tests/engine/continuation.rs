@@ -2,7 +2,7 @@
 //! a saved run is verified by running it again.
 
 use crate::kit::random::Random;
-use crate::kit::scenes::{Ball, ball, random_balls, rectangle, scenario, tables};
+use crate::kit::scenes::{ball, grid_balls, random_balls, rectangle, scenario, tables};
 use crate::kit::{assert_same_events, assert_same_run, bits, bundled, scenario_files};
 use carom::engine::Simulation;
 use carom::run::{Event, Kind, Log, Nothing, PHYSICS_VERSION, QueryError, Run, Status, from_json, to_json};
@@ -11,23 +11,6 @@ use carom::scenario::{Scenario, System};
 use carom::simulate::{Difference, limits_of, log_of, resume, simulate, simulate_until, verify};
 use serde_json::{Value, json};
 use std::sync::Arc;
-
-/// Balls on a coarse grid with few velocities: many events at one time, touching balls, shots into corners.
-fn grid_of_balls(random: &mut Random) -> Vec<Ball> {
-    let mut balls: Vec<Ball> = Vec::new();
-    for _ in 0..60 {
-        let position = [0, 1].map(|_| 0.125 * (1 + random.below(15)) as f64);
-        let velocity = [0, 1].map(|_| 0.5 * random.below(5) as f64 - 1.0);
-        let is_free = |b: &Ball| {
-            let [x, y] = [0, 1].map(|axis| b.position[axis] - position[axis]);
-            x * x + y * y >= 0.0625
-        };
-        if balls.len() < 7 && balls.iter().all(is_free) {
-            balls.push(ball(0.125, position, velocity));
-        }
-    }
-    balls
-}
 
 /// Scenes of every kind, with their names: the ready-made ones, random ones on all tables, and crowded ones.
 fn scenes() -> Vec<(String, Scenario)> {
@@ -55,7 +38,7 @@ fn scenes() -> Vec<(String, Scenario)> {
         let tables = tables();
         let (name, table) = &tables[seed as usize % tables.len()];
         let mut scenario = if crowded {
-            scenario(&rectangle(2.0, 2.0), law, &grid_of_balls(&mut random))
+            scenario(&rectangle(2.0, 2.0), law, &grid_balls(&mut random))
         } else {
             let count = 2 + random.below(10);
             let mut balls = random_balls(&mut random, table, count, [0.01, 0.1], [0.1, 10.0]);
