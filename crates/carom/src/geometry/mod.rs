@@ -1,4 +1,4 @@
-//! Vectors, line segments and circular arcs in the plane.
+//! Vectors, line segments and circular arcs in the plane; vectors in space.
 
 mod bounds;
 mod distance;
@@ -6,6 +6,7 @@ mod joint;
 mod meeting;
 mod outline;
 mod piece;
+mod vec3;
 mod vector;
 
 pub use bounds::Bounds;
@@ -14,4 +15,5 @@ pub use joint::turn;
 pub use meeting::{Meeting, MeetingKind, meetings};
 pub use outline::{signed_area, signed_distance};
 pub use piece::{Arc, Piece, Segment};
+pub use vec3::Vec3;
 pub use vector::Vec2;

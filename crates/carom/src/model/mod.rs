@@ -1,11 +1,13 @@
-//! What exists: discs, the table, and the faces of its cushions.
+//! What exists: discs, spheres, the table, and the faces of its cushions.
 
 mod disc;
 mod face;
+mod sphere;
 mod table;
 mod tolerance;
 
 pub use disc::Disc;
 pub use face::{Face, Faces, Line, Room, Round};
+pub use sphere::{Sphere, Twist};
 pub use table::{Corner, Cushion, JOINT_TOLERANCE, Outline, OutlineKind, Table, circle, rectangle};
 pub use tolerance::{ContactTolerance, closing_threshold};
