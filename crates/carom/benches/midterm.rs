@@ -20,7 +20,7 @@ fn midterm() -> Arc<System<f64>> {
 /// Without recording: the simulation is set back to time zero and run again.
 #[divan::bench(sample_size = 1000, sample_count = 200)]
 fn without_recording(bencher: Bencher) {
-    let mut simulation = Simulation::new(midterm(), Limits::duration(5.0), &mut Nothing);
+    let mut simulation: Simulation<f64> = Simulation::new(midterm(), Limits::duration(5.0), &mut Nothing);
     bencher.bench_local(|| {
         simulation.reset(&mut Nothing);
         black_box(simulation.run(&mut Nothing)).ok()
@@ -30,7 +30,7 @@ fn without_recording(bencher: Bencher) {
 /// Events and flights kept.
 #[divan::bench(sample_size = 1000, sample_count = 200)]
 fn with_events_and_flights(bencher: Bencher) {
-    let mut simulation = Simulation::new(midterm(), Limits::duration(5.0), &mut Nothing);
+    let mut simulation: Simulation<f64> = Simulation::new(midterm(), Limits::duration(5.0), &mut Nothing);
     let mut log = Log::new(true, true);
     bencher.bench_local(|| {
         log.events.clear();

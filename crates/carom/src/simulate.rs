@@ -2,8 +2,8 @@
 
 mod verify;
 
-use crate::engine::{Limits, Simulation};
-use crate::run::{Kind, Log, PHYSICS_VERSION, Run, SimulationError, Status};
+use crate::engine::{Discs, Engine, Limits, Simulation};
+use crate::run::{Dynamics, Kind, Log, PHYSICS_VERSION, Plane, Run, SimulationError, Status};
 use crate::scenario::schema::{Method, Record};
 use crate::scenario::{Scenario, ScenarioError, System};
 use crate::stepped::{self, Ends, Readings};
@@ -17,24 +17,58 @@ pub const DEFAULT_MAX_EVENTS: u64 = 10_000_000;
 /// Steps between two looks at whether a run should be broken off.
 const SLICE: u64 = 50_000;
 
-/// Runs a checked scenario to its end.
+/// A dynamics that a scenario can be run with.
+pub trait Simulated: Dynamics<f64> {
+    /// What computes it.
+    type Engine: Engine<f64, Dynamics = Self>;
+
+    /// The run by the fixed-step method, if the scenario names it.
+    fn stepped(
+        scenario: &Scenario,
+        until: Option<Kind>,
+        interrupted: &mut dyn FnMut() -> bool,
+    ) -> Option<Run<f64, Self>>;
+}
+
+impl Simulated for Plane {
+    type Engine = Discs<f64>;
+
+    fn stepped(
+        scenario: &Scenario,
+        until: Option<Kind>,
+        interrupted: &mut dyn FnMut() -> bool,
+    ) -> Option<Run<f64>> {
+        scheme_of(scenario).map(|scheme| scheme.simulate(scenario, until, interrupted))
+    }
+}
+
+/// A run in progress of a dynamics.
+pub type SimulationOf<D> = Simulation<f64, <D as Simulated>::Engine>;
+
+/// Runs a checked scenario of discs to its end.
 pub fn simulate(scenario: &Scenario) -> Result<Run<f64>, SimulationError> {
     simulate_until(scenario, None, &mut || false)
 }
 
 /// Runs a checked scenario to its end, to the first event of a kind, or until `interrupted` says so; it is asked now and
 /// then.
-pub fn simulate_until(
+pub fn simulate_until<D: Simulated>(
     scenario: &Scenario,
     until: Option<Kind>,
     interrupted: &mut dyn FnMut() -> bool,
-) -> Result<Run<f64>, SimulationError> {
-    if let Some(scheme) = scheme_of(scenario) {
-        return Ok(scheme.simulate(scenario, until, interrupted));
+) -> Result<Run<f64, D>, SimulationError> {
+    if let Some(run) = D::stepped(scenario, until, interrupted) {
+        return Ok(run);
     }
+    let (simulation, log) = start(scenario, until);
+    go_on::<D>(simulation, log, interrupted)
+}
+
+/// A run at time zero, and the log that goes with it.
+pub fn start<D: Simulated>(scenario: &Scenario, until: Option<Kind>) -> (SimulationOf<D>, Log<f64, D>) {
     let mut log = log_of(scenario);
-    let simulation = Simulation::new(Arc::new(System::new(scenario)), limits_of(scenario, until), &mut log);
-    go_on(simulation, log, interrupted)
+    let simulation = Simulation::new(Arc::new(D::system(scenario)), limits_of(scenario, until), &mut log);
+    (simulation, log)
 }
 
 /// The scenario of a longer run: without the ends of the one that was run, and with these values put in.
@@ -47,24 +81,24 @@ pub fn prolonged(scenario: &Scenario, values: &[(String, Value)]) -> Result<Scen
 ///
 /// The result is the one longer run, with the bits it would have had at once; so the run must be of this version of the
 /// physics, see [`is_same_physics`].
-pub fn resume(
+pub fn resume<D: Simulated>(
     scenario: &Scenario,
-    run: &Run<f64>,
+    run: &Run<f64, D>,
     until: Option<Kind>,
     interrupted: &mut dyn FnMut() -> bool,
-) -> Result<Run<f64>, SimulationError> {
-    if let Some(scheme) = scheme_of(scenario) {
-        // A short last step is not one of the longer run's, so the steps are made anew.
-        return Ok(scheme.simulate(scenario, until, interrupted));
+) -> Result<Run<f64, D>, SimulationError> {
+    // A short last step is not one of the longer run's, so steps are made anew.
+    if let Some(run) = D::stepped(scenario, until, interrupted) {
+        return Ok(run);
     }
     go_on(Simulation::resume(run, limits_of(scenario, until)), run.log.clone(), interrupted)
 }
 
-fn go_on(
-    mut simulation: Simulation<f64>,
-    mut log: Log<f64>,
+fn go_on<D: Simulated>(
+    mut simulation: SimulationOf<D>,
+    mut log: Log<f64, D>,
     interrupted: &mut dyn FnMut() -> bool,
-) -> Result<Run<f64>, SimulationError> {
+) -> Result<Run<f64, D>, SimulationError> {
     while simulation.advance(SLICE, &mut log)? {
         if interrupted() {
             simulation.stop(Status::Interrupted);
@@ -74,7 +108,7 @@ fn go_on(
 }
 
 /// An empty log that keeps what the scenario wants kept.
-pub fn log_of(scenario: &Scenario) -> Log<f64> {
+pub fn log_of<D: Dynamics<f64>>(scenario: &Scenario) -> Log<f64, D> {
     Log::new(scenario.record != Record::None, scenario.record == Record::All)
 }
 

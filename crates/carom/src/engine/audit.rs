@@ -1,6 +1,7 @@
 //! Sums over all balls: energy and momentum, and the audit of a run's energy.
 
-use super::discs::{Discs, Fault};
+use super::discs::Discs;
+use super::interface::Fault;
 use crate::flight::State;
 use crate::scalar::Scalar;
 
@@ -22,19 +23,8 @@ impl<S: Scalar> Discs<S> {
         sum.to_f64()
     }
 
-    /// Whether no ball moves, now or later.
-    pub fn is_at_rest(&self) -> bool {
-        self.balls.iter().all(|ball| ball.flight.is_rest())
-    }
-
-    /// Whether all balls that move would not cross the table by a time, however late.
-    pub fn is_slower_than(&self, latest: S) -> bool {
-        let size = self.system.tolerance.table_size();
-        self.balls.iter().all(|ball| ball.flight.is_rest_within(size, latest))
-    }
-
     /// Sums the energy and notes how far it is from what the laws account for.
-    pub(super) fn audit(&mut self, time: S) {
+    pub(super) fn sum_energy(&mut self, time: S) {
         let energy = self.energy_at(time);
         let drift = (energy - self.diagnostics.initial_energy + self.diagnostics.energy_loss).abs();
         if !energy.is_finite() {

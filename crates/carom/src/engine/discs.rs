@@ -3,12 +3,15 @@
 //! One event is pending for each disc. The only thing that makes it stale is a change of its partner's course, which the
 //! partner's counter tells; nobody hunts for third parties.
 
+use super::interface::{Engine, Fault};
 use super::queue::{Pending, Queue, Target};
+use super::simulation::Coming;
+use crate::detect::cushion_gap;
 use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::{ball_ball, ball_cushion};
 use crate::model::Disc;
-use crate::run::{Diagnostics, Event, Observer, Run, Track};
+use crate::run::{Diagnostics, Event, Kind, Observer, Plane, Run, Track};
 use crate::scalar::Scalar;
 use crate::scenario::System;
 use std::sync::Arc;
@@ -18,17 +21,6 @@ const BURST_LIMIT: u32 = 1000;
 
 /// The energy is summed at 2^k events, but not below sixteen: so short a run is summed at its end.
 const AUDIT_MASK: u64 = 15;
-
-/// What no run survives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fault {
-    /// The events of this ball follow each other without end.
-    Collapse(u32),
-    /// This ball is deeper in another than the contact tolerance.
-    Overlap(u32),
-    /// A number of the state is infinite, or none at all.
-    NotFinite,
-}
 
 /// A ball under way.
 #[derive(Clone, Copy, Debug)]
@@ -54,18 +46,18 @@ pub struct Discs<S> {
     pub(super) fault: Option<Fault>,
 }
 
-impl<S: Scalar> Discs<S> {
-    /// The discs of a system at time zero.
-    pub fn new(system: Arc<System<S>>) -> Self {
+impl<S: Scalar> Engine<S> for Discs<S> {
+    type Dynamics = Plane;
+
+    fn new(system: Arc<System<S>>, observer: &mut impl Observer<S>) -> Self {
         let start: Vec<_> = system.flights.iter().map(|&flight| (flight, Track::new())).collect();
         let mut discs = Self::with(system, &start);
         discs.energy_at_start = discs.energy_at(S::ZERO);
-        discs.begin();
+        discs.begin(observer);
         discs
     }
 
-    /// The discs at the end of a run.
-    pub fn resume(run: &Run<S>) -> Self {
+    fn resume(run: &Run<S>) -> Self {
         let mut discs = Self::with(run.system.clone(), &run.balls);
         discs.diagnostics = run.diagnostics.clone();
         discs.events = run.diagnostics.total_events();
@@ -74,39 +66,15 @@ impl<S: Scalar> Discs<S> {
         discs
     }
 
-    fn with(system: Arc<System<S>>, balls: &[(Flight<S>, Track<S>)]) -> Self {
-        let ball = |(&(flight, track), &disc)| Ball { flight, disc, track };
-        Self {
-            balls: balls.iter().zip(&system.discs).map(ball).collect(),
-            queue: Queue::new(balls.len()),
-            diagnostics: Diagnostics::default(),
-            events: 0,
-            energy_at_start: 0.0,
-            has_field: system.field != Vec2::ZERO,
-            is_plain: system.field == Vec2::ZERO && !system.has_backs,
-            fault: None,
-            system,
-        }
-    }
-
-    /// Back to time zero, without giving up any memory.
-    pub fn reset(&mut self) {
+    fn reset(&mut self, observer: &mut impl Observer<S>) {
         for (ball, flight) in self.balls.iter_mut().zip(&self.system.flights) {
             (ball.flight, ball.track) = (*flight, Track::new());
         }
-        self.begin();
+        self.begin(observer);
     }
 
-    fn begin(&mut self) {
-        let (initial_energy, final_energy) = (self.energy_at_start, self.energy_at_start);
-        self.diagnostics = Diagnostics { initial_energy, final_energy, ..Diagnostics::default() };
-        (self.events, self.fault) = (0, None);
-        self.predict_all();
-    }
-
-    /// Makes the earliest event happen, if it comes no later than `limit`; gives its time.
     #[inline(always)]
-    pub fn step(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
+    fn step(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
         loop {
             let (ball, Pending { time, offset, target }) = self.queue.first();
             if time > limit {
@@ -127,6 +95,107 @@ impl<S: Scalar> Discs<S> {
             }
             return Some(time);
         }
+    }
+
+    fn next_time(&mut self) -> S {
+        self.time_of_next()
+    }
+
+    #[inline(always)]
+    fn events(&self) -> u64 {
+        self.events
+    }
+
+    #[inline(always)]
+    fn fault(&self) -> Option<Fault> {
+        self.fault
+    }
+
+    #[inline(always)]
+    fn diagnostics(&self) -> &Diagnostics {
+        &self.diagnostics
+    }
+
+    fn system(&self) -> &Arc<System<S>> {
+        &self.system
+    }
+
+    fn ball_count(&self) -> usize {
+        self.balls.len()
+    }
+
+    fn ball(&self, ball: usize) -> (Flight<S>, Track<S>) {
+        (self.balls[ball].flight, self.balls[ball].track)
+    }
+
+    fn is_at_rest(&self) -> bool {
+        self.balls.iter().all(|ball| ball.flight.is_rest())
+    }
+
+    fn is_slower_than(&self, latest: S) -> bool {
+        let size = self.system.tolerance.table_size();
+        self.balls.iter().all(|ball| ball.flight.is_rest_within(size, latest))
+    }
+
+    fn moving_ball(&self) -> Option<usize> {
+        self.balls.iter().position(|ball| !ball.flight.is_rest())
+    }
+
+    fn audit(&mut self, time: S) {
+        self.sum_energy(time);
+    }
+
+    fn comings(&mut self, time: S) -> Vec<Coming<S>> {
+        self.refresh();
+        (0..self.balls.len()).map(|ball| self.coming(ball, time)).collect()
+    }
+}
+
+impl<S: Scalar> Discs<S> {
+    fn with(system: Arc<System<S>>, balls: &[(Flight<S>, Track<S>)]) -> Self {
+        let ball = |(&(flight, track), &disc)| Ball { flight, disc, track };
+        Self {
+            balls: balls.iter().zip(&system.discs).map(ball).collect(),
+            queue: Queue::new(balls.len()),
+            diagnostics: Diagnostics::default(),
+            events: 0,
+            energy_at_start: 0.0,
+            has_field: system.field != Vec2::ZERO,
+            is_plain: system.field == Vec2::ZERO && !system.has_backs,
+            fault: None,
+            system,
+        }
+    }
+
+    fn begin(&mut self, observer: &mut impl Observer<S>) {
+        let (initial_energy, final_energy) = (self.energy_at_start, self.energy_at_start);
+        self.diagnostics = Diagnostics { initial_energy, final_energy, ..Diagnostics::default() };
+        (self.events, self.fault) = (0, None);
+        self.predict_all();
+        for (place, ball) in self.balls.iter().enumerate() {
+            observer.flight(place, &ball.flight);
+        }
+    }
+
+    /// What a ball's pending event is.
+    fn coming(&self, ball: usize, now: S) -> Coming<S> {
+        let pending = self.queue.pending(ball);
+        let position = self.state_at(ball, now).position;
+        let radius = self.balls[ball].disc.radius;
+        let (kind, other, cushion, gap) = match pending.target {
+            Target::Nothing => (None, None, None, None),
+            Target::Ball(other, _) => {
+                let distance = (self.state_at(other as usize, now).position - position).norm();
+                let gap = distance - radius - self.balls[other as usize].disc.radius;
+                (Some(Kind::BallBall), Some(other), None, Some(gap))
+            }
+            Target::Cushion(cushion) => {
+                let (face, tolerance) = (&self.system.faces.all[cushion as usize], &self.system.tolerance);
+                (Some(Kind::BallCushion), None, Some(cushion), cushion_gap(position, radius, face, tolerance))
+            }
+            Target::Release(cushion) => (Some(Kind::Release), None, Some(cushion), None),
+        };
+        Coming { ball, kind, other, cushion, time: pending.time, gap }
     }
 
     /// The flight from a state on, free of any cushion.
@@ -171,7 +240,7 @@ impl<S: Scalar> Discs<S> {
         observer.event(event);
         self.events += 1;
         if self.events & AUDIT_MASK == 0 && self.events.is_power_of_two() {
-            self.audit(event.time);
+            self.sum_energy(event.time);
         }
     }
 

@@ -4,11 +4,13 @@ mod audit;
 mod cluster;
 mod discs;
 mod hold;
+mod interface;
 mod predict;
 mod queue;
 mod simulation;
 mod strike;
 
-pub use discs::{Discs, Fault};
+pub use discs::Discs;
+pub use interface::{Engine, Fault};
 pub use queue::{Pending, Target};
 pub use simulation::{Coming, Limits, Simulation};

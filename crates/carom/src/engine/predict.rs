@@ -200,7 +200,7 @@ impl<S: Scalar> Discs<S> {
     }
 
     /// The time of the next event. Predicts anew where the first pending one is stale.
-    pub(super) fn next_time(&mut self) -> S {
+    pub(super) fn time_of_next(&mut self) -> S {
         loop {
             let (ball, Pending { time, target, .. }) = self.queue.first();
             match target {

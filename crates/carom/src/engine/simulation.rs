@@ -1,12 +1,10 @@
 //! A run in progress.
 
-use super::discs::{Discs, Fault};
-use super::queue::Target;
-use crate::detect::cushion_gap;
-use crate::flight::State;
-use crate::run::{Kind, Log, Observer, Run, SimulationError, Status};
+use super::discs::Discs;
+use super::interface::{Engine, Fault};
+use crate::run::{Diagnostics, Dynamics, Kind, Log, Observer, Run, SimulationError, Status};
 use crate::scalar::Scalar;
-use crate::scenario::{LARGEST, System};
+use crate::scenario::LARGEST;
 use std::sync::Arc;
 
 /// The time after which nothing happens, even in a run without a duration: later, what is left of the speeds of balls that
@@ -48,8 +46,8 @@ pub struct Coming<S> {
 
 /// A run in progress: goes on by single events, by slices, or to its end, with the same bits.
 #[derive(Clone, Debug)]
-pub struct Simulation<S> {
-    discs: Discs<S>,
+pub struct Simulation<S, E = Discs<S>> {
+    engine: E,
     limits: Limits<S>,
     time: S,
     status: Option<Status>,
@@ -72,42 +70,34 @@ impl<S: Scalar> Limits<S> {
     }
 }
 
-impl<S: Scalar> Simulation<S> {
+type SystemOf<S, E> = <<E as Engine<S>>::Dynamics as Dynamics<S>>::System;
+type StateOf<S, E> = <<E as Engine<S>>::Dynamics as Dynamics<S>>::State;
+
+impl<S: Scalar, E: Engine<S>> Simulation<S, E> {
     /// A run of a system from time zero.
-    pub fn new(system: Arc<System<S>>, limits: Limits<S>, observer: &mut impl Observer<S>) -> Self {
-        let discs = Discs::new(system);
-        let simulation = Self {
-            discs,
-            limits,
-            time: S::ZERO,
-            status: None,
-            seen: 0,
-            no_limit_before: limits.fewest_events(),
-        };
-        simulation.tell_flights(observer);
-        simulation
+    pub fn new(
+        system: Arc<SystemOf<S, E>>,
+        limits: Limits<S>,
+        observer: &mut impl Observer<S, E::Dynamics>,
+    ) -> Self {
+        let engine = E::new(system, observer);
+        let no_limit_before = limits.fewest_events();
+        Self { engine, limits, time: S::ZERO, status: None, seen: 0, no_limit_before }
     }
 
     /// Back to time zero, without giving up any memory.
-    pub fn reset(&mut self, observer: &mut impl Observer<S>) {
-        self.discs.reset();
+    pub fn reset(&mut self, observer: &mut impl Observer<S, E::Dynamics>) {
+        self.engine.reset(observer);
         (self.time, self.status, self.seen) = (S::ZERO, None, 0);
-        self.tell_flights(observer);
     }
 
     /// Goes on from the end of a run, up to new limits.
-    pub fn resume(run: &Run<S>, limits: Limits<S>) -> Self {
-        let discs = Discs::resume(run);
+    pub fn resume(run: &Run<S, E::Dynamics>, limits: Limits<S>) -> Self {
+        let engine = E::resume(run);
         let seen = limits.until.map_or(0, |kind| run.diagnostics.events[kind as usize]);
         // A run that collapsed has nowhere to go.
         let status = Some(run.status).filter(|status| *status == Status::Collapsed);
-        Self { discs, limits, time: run.end_time, status, seen, no_limit_before: limits.fewest_events() }
-    }
-
-    fn tell_flights(&self, observer: &mut impl Observer<S>) {
-        for (place, ball) in self.discs.balls.iter().enumerate() {
-            observer.flight(place, &ball.flight);
-        }
+        Self { engine, limits, time: run.end_time, status, seen, no_limit_before: limits.fewest_events() }
     }
 
     /// The present time: that of the last event, or of the end.
@@ -121,24 +111,28 @@ impl<S: Scalar> Simulation<S> {
     }
 
     /// What is computed.
-    pub fn system(&self) -> &Arc<System<S>> {
-        &self.discs.system
+    pub fn system(&self) -> &Arc<SystemOf<S, E>> {
+        self.engine.system()
     }
 
     /// Makes the next event happen (or the next cluster of them); says whether the run goes on.
-    pub fn step(&mut self, observer: &mut impl Observer<S>) -> Result<bool, SimulationError> {
+    pub fn step(&mut self, observer: &mut impl Observer<S, E::Dynamics>) -> Result<bool, SimulationError> {
         self.step_before(self.latest(), observer)
     }
 
     /// Goes on for up to `steps` steps, fewer where clusters make them long; says whether the run goes on.
-    pub fn advance(&mut self, steps: u64, observer: &mut impl Observer<S>) -> Result<bool, SimulationError> {
+    pub fn advance(
+        &mut self,
+        steps: u64,
+        observer: &mut impl Observer<S, E::Dynamics>,
+    ) -> Result<bool, SimulationError> {
         let limit = self.latest();
-        let passes = self.discs.diagnostics.cluster_passes;
+        let passes = self.engine.diagnostics().cluster_passes;
         for _ in 0..steps {
             if !self.step_before(limit, observer)? {
                 return Ok(false);
             }
-            if self.discs.diagnostics.cluster_passes > passes + PASSES_AT_ONCE {
+            if self.engine.diagnostics().cluster_passes > passes + PASSES_AT_ONCE {
                 break;
             }
         }
@@ -151,14 +145,18 @@ impl<S: Scalar> Simulation<S> {
     }
 
     /// Goes on to the end.
-    pub fn run(&mut self, observer: &mut impl Observer<S>) -> Result<Status, SimulationError> {
+    pub fn run(&mut self, observer: &mut impl Observer<S, E::Dynamics>) -> Result<Status, SimulationError> {
         let limit = self.latest();
         while self.step_before(limit, observer)? {}
         Ok(self.status.unwrap_or(Status::Stopped))
     }
 
     /// Lets everything up to `time` happen, if the run goes on for so long, and moves the present there.
-    pub fn run_until(&mut self, time: S, observer: &mut impl Observer<S>) -> Result<(), SimulationError> {
+    pub fn run_until(
+        &mut self,
+        time: S,
+        observer: &mut impl Observer<S, E::Dynamics>,
+    ) -> Result<(), SimulationError> {
         while self.advance_until(time, u64::MAX, observer)? {}
         if self.status.is_none() && self.is_over(time) {
             self.step(observer)?;
@@ -172,7 +170,7 @@ impl<S: Scalar> Simulation<S> {
     /// Whether the run, with no more events up to `time`, ends before that.
     fn is_over(&self, time: S) -> bool {
         let is_late = self.limits.duration.is_some_and(|end| time >= end);
-        is_late || self.reached_limit().is_some() || self.discs.is_at_rest()
+        is_late || self.reached_limit().is_some() || self.engine.is_at_rest()
     }
 
     /// Goes on for up to `steps` steps, no further than `time`; says whether more are due up to then.
@@ -180,10 +178,10 @@ impl<S: Scalar> Simulation<S> {
         &mut self,
         time: S,
         steps: u64,
-        observer: &mut impl Observer<S>,
+        observer: &mut impl Observer<S, E::Dynamics>,
     ) -> Result<bool, SimulationError> {
         for _ in 0..steps {
-            let is_due = self.status.is_none() && self.discs.next_time() <= time;
+            let is_due = self.status.is_none() && self.engine.next_time() <= time;
             if !is_due {
                 return Ok(false);
             }
@@ -197,9 +195,9 @@ impl<S: Scalar> Simulation<S> {
         &mut self,
         status: Status,
         time: S,
-        observer: &mut impl Observer<S>,
+        observer: &mut impl Observer<S, E::Dynamics>,
     ) -> Result<(), SimulationError> {
-        while self.status.is_none() && self.discs.next_time() < time {
+        while self.status.is_none() && self.engine.next_time() < time {
             self.step(observer)?;
         }
         if self.status.is_none() {
@@ -216,19 +214,23 @@ impl<S: Scalar> Simulation<S> {
     }
 
     #[inline]
-    fn step_before(&mut self, limit: S, observer: &mut impl Observer<S>) -> Result<bool, SimulationError> {
+    fn step_before(
+        &mut self,
+        limit: S,
+        observer: &mut impl Observer<S, E::Dynamics>,
+    ) -> Result<bool, SimulationError> {
         if self.status.is_some() {
             return Ok(false);
         }
         if let Some(status) = self.reached_limit() {
             self.end(status, self.time);
         } else {
-            match self.discs.step(limit, observer) {
+            match self.engine.step(limit, observer) {
                 Some(time) => self.time = time,
                 None => self.end_without_event(limit)?,
             }
         }
-        if let Some(fault) = self.discs.fault {
+        if let Some(fault) = self.engine.fault() {
             self.end_by_fault(fault)?;
         }
         Ok(self.status.is_none())
@@ -236,15 +238,15 @@ impl<S: Scalar> Simulation<S> {
 
     #[inline(always)]
     fn reached_limit(&self) -> Option<Status> {
-        if self.discs.events < self.no_limit_before {
+        if self.engine.events() < self.no_limit_before {
             return None;
         }
-        let diagnostics = &self.discs.diagnostics;
+        let diagnostics = self.engine.diagnostics();
         if self.limits.until.is_some_and(|kind| diagnostics.events[kind as usize] > self.seen) {
             Some(Status::Stopped)
         } else if self.limits.collisions.is_some_and(|most| diagnostics.collisions() >= most) {
             Some(Status::CollisionLimit)
-        } else if self.discs.events >= self.limits.max_events {
+        } else if self.engine.events() >= self.limits.max_events {
             Some(Status::EventLimit)
         } else {
             None
@@ -253,11 +255,10 @@ impl<S: Scalar> Simulation<S> {
 
     fn end_without_event(&mut self, limit: S) -> Result<(), SimulationError> {
         let is_endless = self.limits.duration.is_none();
-        if self.discs.is_at_rest() || (is_endless && self.discs.is_slower_than(limit)) {
+        if self.engine.is_at_rest() || (is_endless && self.engine.is_slower_than(limit)) {
             self.end(Status::AtRest, self.time);
         } else if is_endless {
-            let moving = self.discs.balls.iter().position(|ball| !ball.flight.is_rest());
-            let ball = self.discs.system.ball_ids[moving.unwrap_or(0)].clone();
+            let ball = self.ball_id(self.engine.moving_ball().unwrap_or(0));
             return Err(SimulationError::Escape { ball, time: self.time.to_f64() });
         } else {
             self.end(Status::TimeLimit, if limit > self.time { limit } else { self.time });
@@ -269,13 +270,17 @@ impl<S: Scalar> Simulation<S> {
     fn end_by_fault(&mut self, fault: Fault) -> Result<(), SimulationError> {
         match fault {
             Fault::Overlap(ball) => Err(SimulationError::Overlap {
-                ball: self.discs.system.ball_ids[ball as usize].clone(),
+                ball: self.ball_id(ball as usize),
                 time: self.time.to_f64(),
-                depth: self.discs.diagnostics.deepest_overlap,
+                depth: self.engine.diagnostics().deepest_overlap,
             }),
             Fault::NotFinite => Err(SimulationError::NotFinite { time: self.time.to_f64() }),
             Fault::Collapse(_) => {
                 self.end(Status::Collapsed, self.time);
+                Ok(())
+            }
+            Fault::Miscue => {
+                self.end(Status::Miscue, self.time);
                 Ok(())
             }
         }
@@ -284,18 +289,23 @@ impl<S: Scalar> Simulation<S> {
     fn end(&mut self, status: Status, time: S) {
         self.time = time;
         self.status = Some(status);
-        self.discs.audit(time);
+        self.engine.audit(time);
     }
 
-    /// Position and velocity of each ball at the present time.
-    pub fn state(&self) -> Vec<State<S>> {
-        (0..self.discs.balls.len()).map(|ball| self.discs.state_at(ball, self.time)).collect()
+    fn ball_id(&self, ball: usize) -> String {
+        E::Dynamics::ball_ids(self.engine.system())[ball].clone()
+    }
+
+    /// The state of each ball at the present time.
+    pub fn state(&self) -> Vec<StateOf<S, E>> {
+        (0..self.engine.ball_count())
+            .map(|ball| E::Dynamics::state_at(&self.engine.ball(ball).0, self.time))
+            .collect()
     }
 
     /// What each ball is about to do, in the order of the balls.
     pub fn candidates(&mut self) -> Vec<Coming<S>> {
-        self.discs.refresh();
-        let own: Vec<_> = (0..self.discs.balls.len()).map(|ball| self.coming(ball)).collect();
+        let own = self.engine.comings(self.time);
         let mut all = own.clone();
         // An event of two balls is pending for one of them only.
         for coming in own {
@@ -309,38 +319,17 @@ impl<S: Scalar> Simulation<S> {
         all
     }
 
-    fn coming(&self, ball: usize) -> Coming<S> {
-        let pending = self.discs.queue.pending(ball);
-        let position = self.discs.state_at(ball, self.time).position;
-        let radius = self.discs.balls[ball].disc.radius;
-        let (kind, other, cushion, gap) = match pending.target {
-            Target::Nothing => (None, None, None, None),
-            Target::Ball(other, _) => {
-                let distance = (self.discs.state_at(other as usize, self.time).position - position).norm();
-                let gap = distance - radius - self.discs.balls[other as usize].disc.radius;
-                (Some(Kind::BallBall), Some(other), None, Some(gap))
-            }
-            Target::Cushion(cushion) => {
-                let system = &self.discs.system;
-                let gap =
-                    cushion_gap(position, radius, &system.faces.all[cushion as usize], &system.tolerance);
-                (Some(Kind::BallCushion), None, Some(cushion), gap)
-            }
-            Target::Release(cushion) => (Some(Kind::Release), None, Some(cushion), None),
-        };
-        Coming { ball, kind, other, cushion, time: pending.time, gap }
-    }
-
     /// The run so far, with what `log` kept of it; one that has not ended counts as stopped.
-    pub fn finish(mut self, log: Log<S>) -> Run<S> {
+    pub fn finish(mut self, log: Log<S, E::Dynamics>) -> Run<S, E::Dynamics> {
         self.stop(Status::Stopped);
         let status = self.status.unwrap_or(Status::Stopped);
-        let balls = self.discs.balls.iter().map(|ball| (ball.flight, ball.track)).collect();
-        Run::new(self.discs.system, (status, self.time), self.discs.diagnostics, log, balls)
+        let balls = (0..self.engine.ball_count()).map(|ball| self.engine.ball(ball)).collect();
+        let diagnostics = self.engine.diagnostics().clone();
+        Run::new(self.engine.system().clone(), (status, self.time), diagnostics, log, balls)
     }
 
     /// What the run found out about itself so far.
-    pub fn diagnostics(&self) -> &crate::run::Diagnostics {
-        &self.discs.diagnostics
+    pub fn diagnostics(&self) -> &Diagnostics {
+        self.engine.diagnostics()
     }
 }

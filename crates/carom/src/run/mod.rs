@@ -2,6 +2,7 @@
 
 mod diagnostics;
 mod digest;
+mod dynamics;
 mod event;
 mod file;
 mod observer;
@@ -12,8 +13,9 @@ mod steps;
 
 pub use diagnostics::Diagnostics;
 pub use digest::{Digest, digest};
+pub use dynamics::{Dynamics, Plane};
 pub use event::{Event, Kind};
-pub use file::{RunFileError, VERSION, from_json, to_json};
+pub use file::{RunFileError, Saved, VERSION, from_json, to_json};
 pub use observer::{Log, Nothing, Observer};
 pub use state::{QueryError, Run, Track};
 pub use status::{SimulationError, Status};

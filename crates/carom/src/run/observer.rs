@@ -1,31 +1,32 @@
 //! Who looks on while a run goes its way.
 
+use super::dynamics::{Dynamics, Plane};
 use super::event::Event;
-use crate::flight::Flight;
+use crate::scalar::Scalar;
 
 /// Is told what happens. Nothing it does can change the run.
-pub trait Observer<S> {
+pub trait Observer<S: Scalar, D: Dynamics<S> = Plane> {
     /// An event happened.
     fn event(&mut self, event: &Event<S>);
 
     /// A ball began a new flight.
-    fn flight(&mut self, ball: usize, flight: &Flight<S>);
+    fn flight(&mut self, ball: usize, flight: &D::Flight);
 }
 
 /// Keeps nothing.
 pub struct Nothing;
 
-impl<S> Observer<S> for Nothing {
+impl<S: Scalar, D: Dynamics<S>> Observer<S, D> for Nothing {
     #[inline(always)]
     fn event(&mut self, _: &Event<S>) {}
 
     #[inline(always)]
-    fn flight(&mut self, _: usize, _: &Flight<S>) {}
+    fn flight(&mut self, _: usize, _: &D::Flight) {}
 }
 
 /// What a run keeps of its course: events, and flights in the order in which they began.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Log<S> {
+pub struct Log<S: Scalar, D: Dynamics<S> = Plane> {
     /// Whether events are kept.
     pub keeps_events: bool,
     /// Whether flights are kept, or the steps of a run that has steps instead.
@@ -33,17 +34,17 @@ pub struct Log<S> {
     /// The events.
     pub events: Vec<Event<S>>,
     /// The flights, each with its ball.
-    pub flights: Vec<(u32, Flight<S>)>,
+    pub flights: Vec<(u32, D::Flight)>,
 }
 
-impl<S> Log<S> {
+impl<S: Scalar, D: Dynamics<S>> Log<S, D> {
     /// An empty log.
     pub fn new(keeps_events: bool, keeps_flights: bool) -> Self {
         Self { keeps_events, keeps_flights, events: Vec::new(), flights: Vec::new() }
     }
 }
 
-impl<S: Copy> Observer<S> for Log<S> {
+impl<S: Scalar, D: Dynamics<S>> Observer<S, D> for Log<S, D> {
     #[inline(always)]
     fn event(&mut self, event: &Event<S>) {
         if self.keeps_events {
@@ -52,7 +53,7 @@ impl<S: Copy> Observer<S> for Log<S> {
     }
 
     #[inline(always)]
-    fn flight(&mut self, ball: usize, flight: &Flight<S>) {
+    fn flight(&mut self, ball: usize, flight: &D::Flight) {
         if self.keeps_flights {
             self.flights.push((ball as u32, *flight));
         }

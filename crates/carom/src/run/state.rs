@@ -3,13 +3,11 @@
 use super::PHYSICS_VERSION;
 use super::diagnostics::Diagnostics;
 use super::digest::{Digest, digest};
+use super::dynamics::{Dynamics, Plane};
 use super::observer::Log;
 use super::status::Status;
-use super::steps::Steps;
-use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;
-use crate::scenario::System;
 use std::sync::{Arc, OnceLock};
 use thiserror::Error;
 
@@ -34,11 +32,11 @@ pub struct Track<S> {
 
 /// What came out of a computation.
 #[derive(Clone, Debug)]
-pub struct Run<S> {
+pub struct Run<S: Scalar, D: Dynamics<S> = Plane> {
     /// The version of the physics that it was made with.
     pub physics_version: u32,
     /// What was computed.
-    pub system: Arc<System<S>>,
+    pub system: Arc<D::System>,
     /// Why it ended.
     pub status: Status,
     /// When it ended.
@@ -46,11 +44,11 @@ pub struct Run<S> {
     /// What it found out about itself.
     pub diagnostics: Diagnostics,
     /// What was kept of its course.
-    pub log: Log<S>,
+    pub log: Log<S, D>,
     /// The last flight of each ball and what goes with it: all that is needed to go on.
-    pub balls: Vec<(Flight<S>, Track<S>)>,
+    pub balls: Vec<(D::Flight, D::Track)>,
     /// The steps of the fixed-step method, whose states are not those of flights.
-    pub steps: Option<Steps<S>>,
+    pub steps: Option<D::Steps>,
     /// The digest in the file that it was read from; `None` for a run computed here.
     pub saved_digest: Option<Digest>,
     flights_of_balls: OnceLock<Vec<Vec<u32>>>,
@@ -104,14 +102,14 @@ impl<S: Scalar> Default for Track<S> {
     }
 }
 
-impl<S: Scalar> Run<S> {
+impl<S: Scalar, D: Dynamics<S>> Run<S, D> {
     /// A run of this version of the physics, put together from its parts.
     pub fn new(
-        system: Arc<System<S>>,
+        system: Arc<D::System>,
         (status, end_time): (Status, S),
         diagnostics: Diagnostics,
-        log: Log<S>,
-        balls: Vec<(Flight<S>, Track<S>)>,
+        log: Log<S, D>,
+        balls: Vec<(D::Flight, D::Track)>,
     ) -> Self {
         Self {
             physics_version: PHYSICS_VERSION,
@@ -127,58 +125,42 @@ impl<S: Scalar> Run<S> {
         }
     }
 
-    /// Position and velocity of each ball at a time from 0 to the end (or later, when everything rests).
-    pub fn state(&self, time: S) -> Result<Vec<State<S>>, QueryError> {
+    /// The state of each ball at a time from 0 to the end (or later, when everything rests).
+    pub fn state(&self, time: S) -> Result<Vec<D::State>, QueryError> {
         self.check_time(time)?;
         if let Some(steps) = &self.steps {
-            return Ok(steps.state(time));
+            return Ok(D::state_in_steps(steps, time));
         }
-        Ok((0..self.balls.len()).map(|ball| state_at(self.flight(ball, time), time)).collect())
+        Ok((0..self.balls.len()).map(|ball| D::state_at(self.flight(ball, time), time)).collect())
     }
 
-    /// Position and velocity of each ball at the end.
-    pub fn final_state(&self) -> Vec<State<S>> {
+    /// The state of each ball at the end.
+    pub fn final_state(&self) -> Vec<D::State> {
         match &self.steps {
-            Some(steps) => steps.state(self.end_time),
-            None => self.balls.iter().map(|(flight, _)| state_at(flight, self.end_time)).collect(),
+            Some(steps) => D::state_in_steps(steps, self.end_time),
+            None => self.balls.iter().map(|(flight, _)| D::state_at(flight, self.end_time)).collect(),
         }
     }
 
     /// Kinetic energy of all balls at a time; with [`Self::potential_energy`] it is the energy that diagnostics speak of.
     pub fn energy(&self, time: S) -> Result<S, QueryError> {
-        let mut sum = S::ZERO;
-        for (state, disc) in self.state(time)?.iter().zip(&self.system.discs) {
-            sum += disc.mass * state.velocity.norm_squared();
-        }
-        Ok(sum * S::from_f64(0.5))
+        Ok(D::kinetic_energy(&self.system, &self.state(time)?))
     }
 
-    /// Potential energy of all balls in the field at a time, zero at the origin: −Σ m a·x.
+    /// Potential energy of all balls at a time.
     pub fn potential_energy(&self, time: S) -> Result<S, QueryError> {
-        let mut sum = S::ZERO;
-        for (state, disc) in self.state(time)?.iter().zip(&self.system.discs) {
-            sum -= disc.mass * self.system.field.dot(state.position);
-        }
-        Ok(sum)
+        Ok(D::potential_energy(&self.system, &self.state(time)?))
     }
 
     /// Momentum of all balls at a time.
-    pub fn momentum(&self, time: S) -> Result<Vec2<S>, QueryError> {
-        let mut sum = Vec2::ZERO;
-        for (state, disc) in self.state(time)?.iter().zip(&self.system.discs) {
-            sum = sum + state.velocity * disc.mass;
-        }
-        Ok(sum)
+    pub fn momentum(&self, time: S) -> Result<D::Vector, QueryError> {
+        Ok(D::momentum(&self.system, &self.state(time)?))
     }
 
     /// The digest of the run's end; `None` if any number in it is NaN.
     pub fn digest(&self) -> Option<Digest> {
-        let f64s = |v: Vec2<S>| Vec2::new(v.x.to_f64(), v.y.to_f64());
-        let states = self
-            .final_state()
-            .into_iter()
-            .map(|State { position, velocity }| State { position: f64s(position), velocity: f64s(velocity) });
-        digest(self.diagnostics.total_events(), self.end_time.to_f64(), states)
+        let states = self.final_state();
+        digest(self.diagnostics.total_events(), self.end_time.to_f64(), states.iter().flat_map(D::numbers))
     }
 
     fn check_time(&self, time: S) -> Result<(), QueryError> {
@@ -194,12 +176,12 @@ impl<S: Scalar> Run<S> {
     }
 
     /// The flight a ball is on at a time; at an event's own time, the one that begins there.
-    fn flight(&self, ball: usize, time: S) -> &Flight<S> {
+    fn flight(&self, ball: usize, time: S) -> &D::Flight {
         if !self.log.keeps_flights {
             return &self.balls[ball].0;
         }
         let flights = &self.flights_by_ball()[ball];
-        let later = flights.partition_point(|&k| self.log.flights[k as usize].1.start <= time);
+        let later = flights.partition_point(|&k| D::start(&self.log.flights[k as usize].1) <= time);
         &self.log.flights[flights[later.max(1) - 1] as usize].1
     }
 
@@ -212,8 +194,4 @@ impl<S: Scalar> Run<S> {
             by_ball
         })
     }
-}
-
-fn state_at<S: Scalar>(flight: &Flight<S>, time: S) -> State<S> {
-    flight.state_after(time - flight.start)
 }

@@ -21,6 +21,8 @@ pub enum Status {
     EventLimit,
     /// Broken off from outside.
     Interrupted,
+    /// The cue slipped off the ball, and what that does no law says.
+    Miscue,
 }
 
 impl Status {
@@ -34,6 +36,7 @@ impl Status {
             Self::Collapsed => "collapsed",
             Self::EventLimit => "event_limit",
             Self::Interrupted => "interrupted",
+            Self::Miscue => "miscue",
         }
     }
 }

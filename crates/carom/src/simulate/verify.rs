@@ -1,13 +1,11 @@
 //! A run computed again and compared with the one that was saved.
 
-use super::{SLICE, is_same_physics, limits_of, log_of, simulate_until};
-use crate::engine::Simulation;
-use crate::run::{Diagnostics, Digest, Event, PHYSICS_VERSION, Run, SimulationError, Status};
+use super::{SLICE, Simulated, is_same_physics, simulate_until, start};
+use crate::run::{Diagnostics, Digest, Event, PHYSICS_VERSION, Run, SimulationError, Status, Steps};
+use crate::scenario::Scenario;
 use crate::scenario::schema::Method;
-use crate::scenario::{Scenario, System};
 use core::fmt::Debug;
 use serde::Serialize;
-use std::sync::Arc;
 
 /// The first thing in which a run computed again differs from the one that was saved.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -24,9 +22,9 @@ pub struct Difference {
 ///
 /// A run that was stopped from outside is compared up to where it was. Where one made with another version of the physics
 /// differs, that version is the difference: `physics_version`.
-pub fn verify(
+pub fn verify<D: Simulated>(
     scenario: &Scenario,
-    saved: &Run<f64>,
+    saved: &Run<f64, D>,
     interrupted: &mut dyn FnMut() -> bool,
 ) -> Result<Option<Difference>, SimulationError> {
     let mut broken_off = false;
@@ -37,7 +35,7 @@ pub fn verify(
     let now = match (saved.status, &saved.steps) {
         (Status::Stopped | Status::Interrupted, None) => rerun_part(scenario, saved, &mut note)?,
         (Status::Stopped | Status::Interrupted, Some(steps)) => {
-            let part = with_steps(scenario, steps.count);
+            let part = with_steps(scenario, D::as_steps(steps).count);
             let mut now = simulate_until(&part, None, &mut note)?;
             now.status = saved.status;
             now
@@ -47,14 +45,12 @@ pub fn verify(
     Ok(if broken_off { None } else { first_difference(saved, &now).map(|found| explained(found, saved)) })
 }
 
-fn rerun_part(
+fn rerun_part<D: Simulated>(
     scenario: &Scenario,
-    saved: &Run<f64>,
+    saved: &Run<f64, D>,
     interrupted: &mut dyn FnMut() -> bool,
-) -> Result<Run<f64>, SimulationError> {
-    let mut log = log_of(scenario);
-    let limits = limits_of(scenario, None);
-    let mut simulation = Simulation::new(Arc::new(System::new(scenario)), limits, &mut log);
+) -> Result<Run<f64, D>, SimulationError> {
+    let (mut simulation, mut log) = start::<D>(scenario, None);
     let events = saved.diagnostics.total_events();
     while simulation.diagnostics().total_events() < events && simulation.step(&mut log)? {
         if simulation.diagnostics().total_events().is_multiple_of(SLICE) && interrupted() {
@@ -75,7 +71,7 @@ fn with_steps(scenario: &Scenario, count: u64) -> Scenario {
 }
 
 /// What a difference comes from: the bits of another version of the physics need not be the same.
-fn explained(found: Difference, saved: &Run<f64>) -> Difference {
+fn explained<D: Simulated>(found: Difference, saved: &Run<f64, D>) -> Difference {
     if is_same_physics(saved.physics_version) {
         return found;
     }
@@ -84,24 +80,28 @@ fn explained(found: Difference, saved: &Run<f64>) -> Difference {
     Difference { place: "physics_version".to_owned(), saved, now }
 }
 
-fn first_difference(saved: &Run<f64>, now: &Run<f64>) -> Option<Difference> {
+fn first_difference<D: Simulated>(saved: &Run<f64, D>, now: &Run<f64, D>) -> Option<Difference> {
     difference_of_logs(saved, now)
         .or_else(|| difference_of_ends(saved, now))
         .or_else(|| difference_of_fields("diagnostics.", measures(saved), measures(now)))
 }
 
 /// The first difference in what was kept of the course: a row, or else the number of rows.
-fn difference_of_logs(saved: &Run<f64>, now: &Run<f64>) -> Option<Difference> {
-    let [saved_steps, now_steps] = [saved, now].map(|run| run.steps.as_ref().map_or(&[][..], |s| &s.steps));
+fn difference_of_logs<D: Simulated>(saved: &Run<f64, D>, now: &Run<f64, D>) -> Option<Difference> {
+    let steps = |run| steps_of(run).map_or(&[][..], |steps| &steps.steps);
     difference_of_rows("events", &saved.log.events, &now.log.events, difference_of_events)
         .or_else(|| difference_of_rows("flights", &saved.log.flights, &now.log.flights, difference_in_row))
-        .or_else(|| difference_of_rows("steps", saved_steps, now_steps, difference_in_row))
+        .or_else(|| difference_of_rows("steps", steps(saved), steps(now), difference_in_row))
+}
+
+fn steps_of<D: Simulated>(run: &Run<f64, D>) -> Option<&Steps<f64>> {
+    run.steps.as_ref().map(D::as_steps)
 }
 
 /// The first difference in how the runs ended, with the digest that was saved.
-fn difference_of_ends(saved: &Run<f64>, now: &Run<f64>) -> Option<Difference> {
-    let ends = |run: &Run<f64>| {
-        let steps = run.steps.as_ref().map(|steps| (steps.count, steps.lost_time));
+fn difference_of_ends<D: Simulated>(saved: &Run<f64, D>, now: &Run<f64, D>) -> Option<Difference> {
+    let ends = |run: &Run<f64, D>| {
+        let steps = steps_of(run).map(|steps| (steps.count, steps.lost_time));
         vec![
             ("status", run.status.name().to_owned()),
             ("end_time", format!("{:?}", run.end_time)),
@@ -124,7 +124,7 @@ fn parts(digest: &Digest) -> Vec<(&'static str, String)> {
 
 /// What a run measured of itself, but for what depends on how it was taken: in pieces it predicts more often, and sums its
 /// energy at the end of each.
-fn measures(run: &Run<f64>) -> Vec<(&'static str, String)> {
+fn measures<D: Simulated>(run: &Run<f64, D>) -> Vec<(&'static str, String)> {
     let Diagnostics {
         events,
         predictions: _,

@@ -73,7 +73,7 @@ pub fn run<S: Scalar>(
     scheme.finish(status)
 }
 
-struct Scheme<S> {
+struct Scheme<S: Scalar> {
     system: Arc<System<S>>,
     walls: Walls<S>,
     readings: Readings<S>,

@@ -5,7 +5,9 @@ use crate::kit::random::Random;
 use crate::kit::scenes::{ball, grid_balls, random_balls, rectangle, scenario, tables};
 use crate::kit::{assert_same_events, assert_same_run, bits, bundled, scenario_files};
 use carom::engine::Simulation;
-use carom::run::{Event, Kind, Log, Nothing, PHYSICS_VERSION, QueryError, Run, Status, from_json, to_json};
+use carom::run::{
+    Event, Kind, Log, Nothing, PHYSICS_VERSION, Plane, QueryError, Run, Status, from_json, to_json,
+};
 use carom::scenario::schema::Record;
 use carom::scenario::{Scenario, System};
 use carom::simulate::{Difference, limits_of, log_of, resume, simulate, simulate_until, verify};
@@ -65,7 +67,7 @@ fn run(scenario: &Scenario) -> Run<f64> {
 
 /// The run written to its file and read again.
 fn saved_and_read(scenario: &Scenario, run: &Run<f64>) -> (Scenario, Run<f64>) {
-    let (scenario, run) = from_json(&to_json(scenario, run).unwrap()).unwrap();
+    let (scenario, run) = from_json::<Plane>(&to_json(scenario, run).unwrap()).unwrap();
     (scenario, run)
 }
 
@@ -295,12 +297,12 @@ fn a_saved_run_keeps_the_version_of_the_physics_that_made_it() {
     let mut older: Value = serde_json::from_str(&text).unwrap();
     assert_eq!(older["physics_version"], PHYSICS_VERSION);
     older["physics_version"] = json!(7);
-    let (read, saved) = from_json(&older.to_string()).unwrap();
+    let (read, saved) = from_json::<Plane>(&older.to_string()).unwrap();
     assert_eq!(saved.physics_version, 7);
     let again: Value = serde_json::from_str(&to_json(&read, &saved).unwrap()).unwrap();
     assert_eq!(again, older);
     assert_eq!(verified(&read, &saved), None, "the bits are the same, whatever made them");
-    let (read, saved) = from_json(&tampered(&older.to_string(), "/events/time/3")).unwrap();
+    let (read, saved) = from_json::<Plane>(&tampered(&older.to_string(), "/events/time/3")).unwrap();
     let difference = verified(&read, &saved).unwrap();
     let said = [difference.place, difference.saved, difference.now];
     assert_eq!(said, ["physics_version", "7", &PHYSICS_VERSION.to_string()]);
@@ -330,18 +332,18 @@ fn a_single_wrong_bit_is_found_and_named() {
             ("/flights/state/2/1", "flights[2]"),
             ("/balls/0/state/0", "balls[0]"),
         ] {
-            let (read, saved) = from_json(&tampered(&text, path)).unwrap();
+            let (read, saved) = from_json::<Plane>(&tampered(&text, path)).unwrap();
             let difference = verified(&read, &saved).unwrap_or_else(|| panic!("{name}: {path} is not found"));
             assert_eq!(difference.place, place, "{name}: {difference:?}");
             assert_ne!(difference.saved, difference.now, "{name}");
         }
         let mut value: Value = serde_json::from_str(&text).unwrap();
         value["status"] = json!("collapsed");
-        let (read, saved) = from_json(&value.to_string()).unwrap();
+        let (read, saved) = from_json::<Plane>(&value.to_string()).unwrap();
         assert_eq!(verified(&read, &saved).unwrap().place, "status", "{name}");
     }
     let scenario = bundled("midterm_stepped");
     let text = to_json(&scenario, &run(&scenario)).unwrap();
-    let (read, saved) = from_json(&tampered(&text, "/steps/state/17/0/1")).unwrap();
+    let (read, saved) = from_json::<Plane>(&tampered(&text, "/steps/state/17/0/1")).unwrap();
     assert_eq!(verified(&read, &saved).unwrap().place, "steps[17]");
 }

@@ -46,8 +46,9 @@ fn ended(table: &Value, physics: &Value, balls: &[Ball]) -> Scenario {
 fn run(scenario: &Scenario, change: impl FnOnce(&mut System<f64>)) -> Run<f64> {
     let mut system = System::new(scenario);
     change(&mut system);
-    let mut log = log_of(scenario);
-    let mut simulation = Simulation::new(Arc::new(system), limits_of(scenario, None), &mut log);
+    let mut log: carom::run::Log<f64> = log_of(scenario);
+    let mut simulation: Simulation<f64> =
+        Simulation::new(Arc::new(system), limits_of(scenario, None), &mut log);
     simulation.run(&mut log).unwrap_or_else(|error| panic!("{error}"));
     simulation.finish(log)
 }

@@ -21,8 +21,9 @@ fn reference() -> Value {
 
 /// Runs a system for the exercise's five seconds.
 fn run_of<S: Scalar>(system: System<S>) -> Run<S> {
-    let mut log = Log::new(true, true);
-    let mut simulation = Simulation::new(Arc::new(system), Limits::duration(S::from_f64(5.0)), &mut log);
+    let mut log: Log<S> = Log::new(true, true);
+    let mut simulation: Simulation<S> =
+        Simulation::new(Arc::new(system), Limits::duration(S::from_f64(5.0)), &mut log);
     simulation.run(&mut log).unwrap();
     simulation.finish(log)
 }

@@ -1,7 +1,7 @@
 //! What is wrong with a text that is no saved run is said with its place.
 
 use crate::kit::bundled;
-use carom::run::{from_json, to_json};
+use carom::run::{Plane, from_json, to_json};
 use carom::simulate::simulate;
 
 /// What is said about the saved run of the exercise with `old` replaced by `new` where it stands first.
@@ -13,7 +13,7 @@ fn complaint(old: &str, new: &str) -> String {
 }
 
 fn complaint_about(text: &str) -> String {
-    from_json(text).map(|_| ()).unwrap_err().to_string()
+    from_json::<Plane>(text).map(|_| ()).unwrap_err().to_string()
 }
 
 #[test]

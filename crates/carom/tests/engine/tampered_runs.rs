@@ -1,7 +1,7 @@
 //! Whatever is taken from a saved run or changed in it is found: when it is read, or else when it is run again.
 use crate::kit::random::Random;
 use crate::kit::scenes::{random_balls, scenario, tables};
-use carom::run::{Run, Status, from_json, to_json};
+use carom::run::{Plane, Run, Status, from_json, to_json};
 use carom::scenario::Scenario;
 use carom::simulate::{prolonged, resume, simulate, verify};
 use serde_json::{Value, json};
@@ -14,7 +14,7 @@ fn saved(name: &str) -> Value {
 
 /// The place of the first difference that a run made again has.
 fn difference(file: &Value) -> Option<String> {
-    let (scenario, run) = from_json(&file.to_string()).unwrap_or_else(|error| panic!("{error}"));
+    let (scenario, run) = from_json::<Plane>(&file.to_string()).unwrap_or_else(|error| panic!("{error}"));
     verify(&scenario, &run, &mut || false).unwrap().map(|found| found.place)
 }
 
@@ -22,7 +22,7 @@ fn difference(file: &Value) -> Option<String> {
 fn complaint(name: &str, path: &str, value: Value) -> String {
     let mut file = saved(name);
     *file.pointer_mut(path).unwrap_or_else(|| panic!("no {path}")) = value;
-    let error = from_json(&file.to_string()).map(|_| ()).expect_err(path).to_string();
+    let error = from_json::<Plane>(&file.to_string()).map(|_| ()).expect_err(path).to_string();
     error.strip_prefix("not a saved run: ").unwrap_or_else(|| panic!("{error}")).to_owned()
 }
 
@@ -121,7 +121,7 @@ fn a_run_made_in_pieces_verifies_with_all_that_it_measured() {
             run = resume(&part, &run, None, &mut || false).unwrap();
         }
         assert_eq!(verify(&scenario, &run, &mut || false).unwrap(), None, "{name}");
-        let (read, saved) = from_json(&to_json(&scenario, &run).unwrap()).unwrap();
+        let (read, saved) = from_json::<Plane>(&to_json(&scenario, &run).unwrap()).unwrap();
         assert_eq!(verify(&read, &saved, &mut || false).unwrap(), None, "{name}");
     }
 }
@@ -163,11 +163,11 @@ fn an_end_that_does_not_fit_is_refused() {
         assert!(complaint("midterm", "/end_time", value).starts_with("end_time: invalid type"));
     }
     let text = saved("midterm").to_string().replacen("\"end_time\":5.0", "\"end_time\":NaN", 1);
-    assert!(from_json(&text).is_err());
+    assert!(from_json::<Plane>(&text).is_err());
     let mut file = saved("midterm");
     (file["events"], file["flights"]) = (Value::Null, Value::Null);
     file["end_time"] = json!(0.5);
-    let said = from_json(&file.to_string()).map(|_| ()).unwrap_err().to_string();
+    let said = from_json::<Plane>(&file.to_string()).map(|_| ()).unwrap_err().to_string();
     assert!(said.starts_with("not a saved run: end_time: before balls["), "{said}");
     assert!(
         complaint("midterm_stepped", "/end_time", json!(0.5)).starts_with("end_time: before steps.time[")

@@ -150,7 +150,7 @@ fn an_exhausted_event_budget_is_not_reported_as_success() {
 #[test]
 fn a_run_can_be_broken_off() {
     let scenario = gas(&json!({ "duration": 1e9, "record": "none" }));
-    let run = simulate_until(&scenario, None, &mut || true).unwrap();
+    let run: Run<f64> = simulate_until(&scenario, None, &mut || true).unwrap();
     assert_eq!(run.status, Status::Interrupted);
 }
 

@@ -3,47 +3,29 @@
 //! Every check gives the place of what it found. Whether the numbers are right only a run made again can tell.
 
 use super::RunFile;
-use super::columns::{BallEntry, EventColumns, FlightColumns, StepColumns};
-use crate::model::Face;
+use super::columns::{EventColumns, FlightColumns, StepColumns};
+use super::saved::Saved;
 use crate::run::{Digest, Status};
-use crate::scenario::{LARGEST, System};
 
-type Found = Result<(), String>;
+pub(super) type Found = Result<(), String>;
 
 /// Refuses a file that no run can be made of.
-pub(super) fn check(file: &RunFile, system: &System<f64>) -> Found {
-    if file.balls.len() != system.discs.len() {
+pub(super) fn check<D: Saved>(file: &RunFile<D>, system: &D::System) -> Found {
+    let names = (D::ball_ids(system).len(), D::cushion_ids(system).len());
+    if file.balls.len() != names.0 {
         return Err("balls: not as many as the scenario has".to_owned());
     }
     for (k, ball) in file.balls.iter().enumerate() {
-        check_ball(ball, &format!("balls[{k}]"), system)?;
+        D::check_entry(ball, &format!("balls[{k}]"), system)?;
     }
-    file.events.iter().try_for_each(|events| check_events(events, system))?;
-    file.flights.iter().try_for_each(|flights| check_flights(flights, file.balls.len()))?;
-    file.steps.iter().try_for_each(|steps| check_steps(steps, file.balls.len()))?;
+    file.events.iter().try_for_each(|events| check_events(events, names))?;
+    file.flights.iter().try_for_each(|flights| check_flights(flights, names.0))?;
+    file.steps.iter().try_for_each(|steps| check_steps(steps, names.0))?;
     check_end(file)?;
-    if file.status == Status::AtRest { check_rest(&file.balls, system) } else { Ok(()) }
+    if file.status == Status::AtRest { check_rest::<D>(&file.balls, system) } else { Ok(()) }
 }
 
-fn check_ball(ball: &BallEntry, place: &str, system: &System<f64>) -> Found {
-    let faces = &system.faces.all;
-    if let [None, Some(_)] = ball.held_by {
-        return Err(format!("{place}.held_by: the second cushion without a first"));
-    }
-    for cushion in ball.held_by.iter().flatten() {
-        match faces.get(*cushion as usize) {
-            Some(Face::Line(_)) => {}
-            Some(Face::Round(_)) => return Err(format!("{place}.held_by: a cushion that is not straight")),
-            None => return Err(format!("{place}.held_by: a cushion that the scenario does not have")),
-        }
-    }
-    if ball.last_cushion.is_some_and(|cushion| cushion as usize >= faces.len()) {
-        return Err(format!("{place}.last_cushion: a cushion that the scenario does not have"));
-    }
-    Ok(())
-}
-
-fn check_events(events: &EventColumns, system: &System<f64>) -> Found {
+fn check_events(events: &EventColumns, (balls, cushions): (usize, usize)) -> Found {
     let lengths = [
         events.kind.len(),
         events.ball_a.len(),
@@ -60,16 +42,16 @@ fn check_events(events: &EventColumns, system: &System<f64>) -> Found {
     if lengths.iter().any(|length| *length != events.time.len()) {
         return Err("events: the columns have unequal lengths".to_owned());
     }
-    let is_ball = |ball: &u32| (*ball as usize) < system.discs.len();
-    let is_cushion = |cushion: &u32| (*cushion as usize) < system.faces.all.len();
-    let mut balls = events.ball_a.iter().chain(events.ball_b.iter().flatten());
-    if !balls.all(is_ball) || !events.cushion.iter().flatten().all(is_cushion) {
+    let is_ball = |ball: &u32| (*ball as usize) < balls;
+    let is_cushion = |cushion: &u32| (*cushion as usize) < cushions;
+    let mut numbers = events.ball_a.iter().chain(events.ball_b.iter().flatten());
+    if !numbers.all(is_ball) || !events.cushion.iter().flatten().all(is_cushion) {
         return Err("events: a ball or cushion that the scenario does not have".to_owned());
     }
     Ok(())
 }
 
-fn check_flights(flights: &FlightColumns, balls: usize) -> Found {
+fn check_flights<N>(flights: &FlightColumns<N>, balls: usize) -> Found {
     let rows = flights.ball.len();
     if flights.start.len() != rows || flights.state.len() != rows {
         return Err("flights: the columns have unequal lengths".to_owned());
@@ -101,7 +83,7 @@ fn check_steps(steps: &StepColumns, balls: usize) -> Found {
 }
 
 /// Refuses an end before the start, or before anything that happened.
-fn check_end(file: &RunFile) -> Found {
+fn check_end<D: Saved>(file: &RunFile<D>) -> Found {
     if file.end_time < 0.0 {
         return Err("end_time: before the start".to_owned());
     }
@@ -112,7 +94,8 @@ fn check_end(file: &RunFile) -> Found {
     ends_after(file.end_time, "events.time", events)?;
     ends_after(file.end_time, "flights.start", flights)?;
     ends_after(file.end_time, "steps.time", steps)?;
-    ends_after(file.end_time, "balls.start", file.balls.iter().map(|ball| &ball.start))
+    let starts: Vec<f64> = file.balls.iter().map(|ball| D::start(&D::ball_of(ball).0)).collect();
+    ends_after(file.end_time, "balls.start", starts.iter())
 }
 
 fn ends_after<'a>(end: f64, place: &str, mut times: impl Iterator<Item = &'a f64>) -> Found {
@@ -130,8 +113,8 @@ fn indexed(place: &str, k: usize) -> String {
     }
 }
 
-fn check_rest(balls: &[BallEntry], system: &System<f64>) -> Found {
-    let moves = |ball: &BallEntry| !ball.ball().0.is_rest_within(system.tolerance.table_size(), LARGEST);
+fn check_rest<D: Saved>(balls: &[D::Entry], system: &D::System) -> Found {
+    let moves = |ball: &D::Entry| !D::is_rest(&D::ball_of(ball).0, system);
     match balls.iter().position(moves) {
         Some(k) => Err(format!("status: at_rest, but balls[{k}] moves")),
         None => Ok(()),
@@ -139,7 +122,7 @@ fn check_rest(balls: &[BallEntry], system: &System<f64>) -> Found {
 }
 
 /// Gives the place of a number that is infinite or none, of which JSON has neither.
-pub(super) fn check_finite(file: &RunFile) -> Found {
+pub(super) fn check_finite<D: Saved>(file: &RunFile<D>) -> Found {
     finite("end_time", [file.end_time]).map_err(|_| "end_time".to_owned())?;
     if let Some(e) = &file.events {
         let columns = [
@@ -157,13 +140,14 @@ pub(super) fn check_finite(file: &RunFile) -> Found {
     }
     if let Some(flights) = &file.flights {
         finite("flights.start", flights.start.iter().copied())?;
-        finite("flights.state", flights.state.iter().map(|row| worst(row)))?;
+        finite("flights.state", flights.state.iter().map(D::worst_of))?;
     }
-    finite("balls.start", file.balls.iter().map(|ball| ball.start))?;
-    finite("balls.state", file.balls.iter().map(|ball| worst(&ball.state)))?;
-    finite("balls.arrival", file.balls.iter().map(|ball| worst(&ball.arrival)))?;
-    finite("balls.last_contact", file.balls.iter().map(|ball| ball.last_contact.unwrap_or(0.0)))?;
-    finite("balls.burst_start", file.balls.iter().map(|ball| ball.burst_start.unwrap_or(0.0)))?;
+    for (k, ball) in file.balls.iter().enumerate() {
+        match D::finite_keys(ball).into_iter().find(|(_, value)| !value.is_finite()) {
+            Some((key, _)) => return Err(format!("balls[{k}].{key}")),
+            None => {}
+        }
+    }
     file.steps.iter().try_for_each(finite_steps)?;
     finite_diagnostics(file)?;
     if file.digest == Digest::none() { Err("the state at the end".to_owned()) } else { Ok(()) }
@@ -178,7 +162,7 @@ fn finite_steps(steps: &StepColumns) -> Found {
     finite("steps.lost_time", [steps.lost_time]).map_err(|_| "steps.lost_time".to_owned())
 }
 
-fn finite_diagnostics(file: &RunFile) -> Found {
+fn finite_diagnostics<D: Saved>(file: &RunFile<D>) -> Found {
     let found = serde_json::to_value(&file.diagnostics).map_err(|error| error.to_string())?;
     let mut keys = found.as_object().into_iter().flatten();
     match keys.find(|(_, value)| value.is_null()) {
@@ -195,6 +179,6 @@ fn finite(place: &str, values: impl IntoIterator<Item = f64>) -> Found {
 }
 
 /// A number of a row that is not finite, if it has one.
-fn worst(row: &[f64]) -> f64 {
+pub(super) fn worst(row: &[f64]) -> f64 {
     row.iter().copied().find(|value| !value.is_finite()).unwrap_or(0.0)
 }

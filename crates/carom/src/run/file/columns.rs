@@ -1,8 +1,9 @@
 //! The columns of a saved run, from what was kept of it and back.
 
-use crate::flight::{Flight, State};
+use super::saved::Saved;
+use crate::flight::State;
 use crate::geometry::Vec2;
-use crate::run::{Event, Hit, Kind, Step, Steps, Track};
+use crate::run::{Event, Hit, Kind, Step, Steps};
 use serde::{Deserialize, Serialize};
 
 #[derive(Default, Serialize, Deserialize)]
@@ -21,29 +22,15 @@ pub(super) struct EventColumns {
     pub(super) cluster: Vec<Option<u32>>,
 }
 
-#[derive(Default, Serialize, Deserialize)]
-pub(super) struct FlightColumns {
+#[derive(Serialize, Deserialize)]
+pub(super) struct FlightColumns<N> {
     pub(super) ball: Vec<u32>,
     pub(super) start: Vec<f64>,
-    pub(super) state: Vec<[f64; 6]>,
-}
-
-#[derive(Serialize, Deserialize)]
-pub(super) struct BallEntry {
-    pub(super) start: f64,
-    /// Position, velocity, acceleration.
-    pub(super) state: [f64; 6],
-    pub(super) changes: u64,
-    pub(super) held_by: [Option<u32>; 2],
-    pub(super) last_cushion: Option<u32>,
-    pub(super) arrival: [f64; 2],
-    pub(super) last_contact: Option<f64>,
-    pub(super) burst_start: Option<f64>,
-    pub(super) burst: u32,
+    pub(super) state: Vec<N>,
 }
 
 #[derive(Default, Serialize, Deserialize)]
-pub(super) struct StepColumns {
+pub struct StepColumns {
     pub(super) time: Vec<f64>,
     /// Position and velocity of each ball.
     pub(super) state: Vec<Vec<[f64; 4]>>,
@@ -89,57 +76,19 @@ impl EventColumns {
     }
 }
 
-pub(super) fn flight_columns(flights: &[(u32, Flight<f64>)]) -> FlightColumns {
+pub(super) fn flight_columns<D: Saved>(flights: &[(u32, D::Flight)]) -> FlightColumns<D::Numbers> {
     FlightColumns {
         ball: flights.iter().map(|(ball, _)| *ball).collect(),
-        start: flights.iter().map(|(_, flight)| flight.start).collect(),
-        state: flights.iter().map(|(_, flight)| numbers(flight)).collect(),
+        start: flights.iter().map(|(_, flight)| D::start(flight)).collect(),
+        state: flights.iter().map(|(_, flight)| D::numbers_of(flight)).collect(),
     }
 }
 
-impl FlightColumns {
-    pub(super) fn rows(self) -> Vec<(u32, Flight<f64>)> {
+impl<N> FlightColumns<N> {
+    pub(super) fn rows<D: Saved<Numbers = N>>(self) -> Vec<(u32, D::Flight)> {
         let states = self.start.into_iter().zip(self.state);
-        self.ball.into_iter().zip(states).map(|(ball, (start, state))| (ball, flight(start, state))).collect()
-    }
-}
-
-fn numbers(flight: &Flight<f64>) -> [f64; 6] {
-    let Flight { position, velocity, acceleration, .. } = flight;
-    [position.x, position.y, velocity.x, velocity.y, acceleration.x, acceleration.y]
-}
-
-fn flight(start: f64, [x, y, vx, vy, ax, ay]: [f64; 6]) -> Flight<f64> {
-    Flight { start, position: Vec2::new(x, y), velocity: Vec2::new(vx, vy), acceleration: Vec2::new(ax, ay) }
-}
-
-pub(super) fn ball_entry((flight, track): &(Flight<f64>, Track<f64>)) -> BallEntry {
-    let unless_never = |time: f64| (time != f64::NEG_INFINITY).then_some(time);
-    BallEntry {
-        start: flight.start,
-        state: numbers(flight),
-        changes: track.changes,
-        held_by: track.held_by,
-        last_cushion: track.last_cushion,
-        arrival: [track.arrival.x, track.arrival.y],
-        last_contact: unless_never(track.last_contact),
-        burst_start: unless_never(track.burst_start),
-        burst: track.burst,
-    }
-}
-
-impl BallEntry {
-    pub(super) fn ball(&self) -> (Flight<f64>, Track<f64>) {
-        let track = Track {
-            changes: self.changes,
-            held_by: self.held_by,
-            last_cushion: self.last_cushion,
-            arrival: Vec2::new(self.arrival[0], self.arrival[1]),
-            last_contact: self.last_contact.unwrap_or(f64::NEG_INFINITY),
-            burst_start: self.burst_start.unwrap_or(f64::NEG_INFINITY),
-            burst: self.burst,
-        };
-        (flight(self.start, self.state), track)
+        let flight = |(ball, (start, state))| (ball, D::flight_of(start, &state));
+        self.ball.into_iter().zip(states).map(flight).collect()
     }
 }
 

@@ -1,0 +1,127 @@
+//! What a run knows of the dynamics that it is a run of.
+
+use crate::flight::{Flight, State};
+use crate::geometry::Vec2;
+use crate::run::{Steps, Track};
+use crate::scalar::Scalar;
+use crate::scenario::{Scenario, System};
+use core::fmt::Debug;
+
+/// A dynamics as a run sees it: its system, a ball's flight, and the state that this gives at any time.
+pub trait Dynamics<S: Scalar>: Clone + Debug + PartialEq + Send + Sync + 'static {
+    /// A checked scenario made ready to compute.
+    type System: Clone + Debug + Send + Sync;
+    /// A ball's closed-form motion since its own last event.
+    type Flight: Clone + Copy + Debug + PartialEq + Send + Sync;
+    /// What a flight tells of a ball at a moment.
+    type State: Clone + Copy + Debug + PartialEq + Send + Sync;
+    /// What a ball carries from event to event beside its flight.
+    type Track: Clone + Copy + Debug + PartialEq + Send + Sync;
+    /// A place or a velocity.
+    type Vector: Clone + Copy + Debug + PartialEq + Send;
+    /// The steps of the fixed-step method, where the dynamics has one.
+    type Steps: Clone + Debug + PartialEq + Send + Sync;
+
+    /// The system of a checked scenario.
+    fn system(scenario: &Scenario) -> Self::System;
+
+    /// The names of the balls.
+    fn ball_ids(system: &Self::System) -> &[String];
+
+    /// The names of the cushions, and of the corners after them.
+    fn cushion_ids(system: &Self::System) -> &[String];
+
+    /// When a flight begins.
+    fn start(flight: &Self::Flight) -> S;
+
+    /// The state that a flight gives at a time.
+    fn state_at(flight: &Self::Flight, time: S) -> Self::State;
+
+    /// The states of all balls at a time of a run that has steps.
+    fn state_in_steps(steps: &Self::Steps, time: S) -> Vec<Self::State>;
+
+    /// The steps themselves.
+    fn as_steps(steps: &Self::Steps) -> &Steps<S>;
+
+    /// The kinetic energy of all balls.
+    fn kinetic_energy(system: &Self::System, states: &[Self::State]) -> S;
+
+    /// The potential energy of all balls.
+    fn potential_energy(system: &Self::System, states: &[Self::State]) -> S;
+
+    /// The momentum of all balls.
+    fn momentum(system: &Self::System, states: &[Self::State]) -> Self::Vector;
+
+    /// The numbers of a state, for the digest.
+    fn numbers(state: &Self::State) -> impl Iterator<Item = f64>;
+}
+
+/// Discs in the plane, without spin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Plane;
+
+impl<S: Scalar> Dynamics<S> for Plane {
+    type System = System<S>;
+    type Flight = Flight<S>;
+    type State = State<S>;
+    type Track = Track<S>;
+    type Vector = Vec2<S>;
+    type Steps = Steps<S>;
+
+    fn system(scenario: &Scenario) -> System<S> {
+        System::new(scenario)
+    }
+
+    fn ball_ids(system: &System<S>) -> &[String] {
+        &system.ball_ids
+    }
+
+    fn cushion_ids(system: &System<S>) -> &[String] {
+        &system.cushion_ids
+    }
+
+    fn start(flight: &Flight<S>) -> S {
+        flight.start
+    }
+
+    fn state_at(flight: &Flight<S>, time: S) -> State<S> {
+        flight.state_after(time - flight.start)
+    }
+
+    fn state_in_steps(steps: &Steps<S>, time: S) -> Vec<State<S>> {
+        steps.state(time)
+    }
+
+    fn as_steps(steps: &Steps<S>) -> &Steps<S> {
+        steps
+    }
+
+    fn kinetic_energy(system: &System<S>, states: &[State<S>]) -> S {
+        let mut sum = S::ZERO;
+        for (state, disc) in states.iter().zip(&system.discs) {
+            sum += disc.mass * state.velocity.norm_squared();
+        }
+        sum * S::from_f64(0.5)
+    }
+
+    /// In the field, zero at the origin: −Σ m a·x.
+    fn potential_energy(system: &System<S>, states: &[State<S>]) -> S {
+        let mut sum = S::ZERO;
+        for (state, disc) in states.iter().zip(&system.discs) {
+            sum -= disc.mass * system.field.dot(state.position);
+        }
+        sum
+    }
+
+    fn momentum(system: &System<S>, states: &[State<S>]) -> Vec2<S> {
+        let mut sum = Vec2::ZERO;
+        for (state, disc) in states.iter().zip(&system.discs) {
+            sum = sum + state.velocity * disc.mass;
+        }
+        sum
+    }
+
+    fn numbers(State { position, velocity }: &State<S>) -> impl Iterator<Item = f64> {
+        [position.x, position.y, velocity.x, velocity.y].into_iter().map(S::to_f64)
+    }
+}
