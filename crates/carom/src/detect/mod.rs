@@ -5,10 +5,14 @@
 
 mod ball_ball;
 mod ball_cushion;
+mod sphere;
 
 pub use ball_ball::{detect_ball_ball, detect_ball_in_the_clear};
 pub use ball_cushion::{
     cushion_gap, detect_ball_cushion, detect_cushion_in_the_clear, detect_from_behind, detect_release,
+};
+pub use sphere::{
+    Crossing, detect_nose, detect_nose_in_the_air, detect_pocket, detect_pocket_from_above, detect_spheres,
 };
 
 use crate::scalar::Scalar;

@@ -11,7 +11,16 @@ use crate::scalar::Scalar;
 /// Up to this many balls, the first is found by looking at all.
 const FEW: usize = 4;
 
-/// What a ball's next event is with.
+/// Something that a pending event is with.
+pub trait Aim: Copy {
+    /// Nothing.
+    const NOTHING: Self;
+
+    /// The rank of the event that is pending for `ball` among those at the same time.
+    fn rank(&self, ball: usize) -> (u8, usize);
+}
+
+/// What a disc's next event is with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
     /// No event.
@@ -26,47 +35,52 @@ pub enum Target {
 
 /// A ball's next event.
 #[derive(Clone, Copy, Debug)]
-pub struct Pending<S> {
+pub struct Pending<S, A = Target> {
     /// When; infinite for never.
     pub time: S,
     /// The same, as offset from the later start of the flights involved, unrounded.
     pub offset: S,
     /// With what.
-    pub target: Target,
+    pub target: A,
 }
 
 /// The balls' next events, and the tournament among them.
 #[derive(Clone, Debug)]
-pub struct Queue<S> {
+pub struct Queue<S, A = Target> {
     /// Next event of each ball.
-    pending: Vec<Pending<S>>,
+    pending: Vec<Pending<S, A>>,
     /// Winner of each match; the children of match k are 2k and 2k + 1, the last level's are the balls.
     winners: Vec<u32>,
 }
 
-impl<S: Scalar> Pending<S> {
+impl Aim for Target {
+    const NOTHING: Self = Self::Nothing;
+
+    /// The lower number of the event's balls.
+    #[inline(always)]
+    fn rank(&self, ball: usize) -> (u8, usize) {
+        match self {
+            Self::Ball(other, _) => (0, ball.min(*other as usize)),
+            _ => (0, ball),
+        }
+    }
+}
+
+impl<S: Scalar, A: Aim> Pending<S, A> {
     /// No event.
-    pub const NEVER: Self = Self { time: S::INFINITY, offset: S::INFINITY, target: Target::Nothing };
+    pub const NEVER: Self = Self { time: S::INFINITY, offset: S::INFINITY, target: A::NOTHING };
 
     /// Another event, `offset` after `start`, if that comes before this.
     #[inline(always)]
-    pub fn earlier(self, start: S, offset: Option<S>, target: Target) -> Self {
+    pub fn earlier(self, start: S, offset: Option<S>, target: A) -> Self {
         match offset {
             Some(offset) if start + offset < self.time => Self { time: start + offset, offset, target },
             _ => self,
         }
     }
-
-    /// The rank among events at the same time of the event that is pending for `ball`: the lower number of its balls.
-    fn rank(&self, ball: usize) -> usize {
-        match self.target {
-            Target::Ball(other, _) => ball.min(other as usize),
-            _ => ball,
-        }
-    }
 }
 
-impl<S: Scalar> Queue<S> {
+impl<S: Scalar, A: Aim> Queue<S, A> {
     /// A queue of `balls` balls, none of which has an event.
     pub fn new(balls: usize) -> Self {
         let leaves = if balls > FEW { balls.next_power_of_two() } else { balls };
@@ -79,7 +93,7 @@ impl<S: Scalar> Queue<S> {
 
     /// Sets a ball's next event.
     #[inline(always)]
-    pub fn set(&mut self, ball: usize, next: Pending<S>) {
+    pub fn set(&mut self, ball: usize, next: Pending<S, A>) {
         self.pending[ball] = next;
         if !self.winners.is_empty() {
             self.replay(ball);
@@ -87,13 +101,13 @@ impl<S: Scalar> Queue<S> {
     }
 
     /// A ball's next event.
-    pub fn pending(&self, ball: usize) -> &Pending<S> {
+    pub fn pending(&self, ball: usize) -> &Pending<S, A> {
         &self.pending[ball]
     }
 
     /// The ball whose event comes first, and the event.
     #[inline(always)]
-    pub fn first(&self) -> (usize, Pending<S>) {
+    pub fn first(&self) -> (usize, Pending<S, A>) {
         if !self.winners.is_empty() {
             let ball = self.winners[1] as usize;
             return (ball, self.pending[ball]);
@@ -125,8 +139,11 @@ impl<S: Scalar> Queue<S> {
 
 /// Whether the event pending for the first ball comes before that for the second.
 #[inline(always)]
-fn is_earlier<S: Scalar>((a, first): (usize, &Pending<S>), (b, second): (usize, &Pending<S>)) -> bool {
-    first.time < second.time || (first.time == second.time && first.rank(a) < second.rank(b))
+fn is_earlier<S: Scalar, A: Aim>(
+    (a, first): (usize, &Pending<S, A>),
+    (b, second): (usize, &Pending<S, A>),
+) -> bool {
+    first.time < second.time || (first.time == second.time && first.target.rank(a) < second.target.rank(b))
 }
 
 #[cfg(test)]

@@ -1,7 +1,13 @@
 //! How things move between events.
 //!
-//! A disc's flight is a polynomial of degree two: `x(t) = x0 + v0 (t − t0) + ½ a (t − t0)²`. The acceleration is zero
+//! A disc's flight is here; a ball's on the cloth, and through the air, is in `sphere` and `cloth`. A disc's is a polynomial of degree two: `x(t) = x0 + v0 (t − t0) + ½ a (t − t0)²`. The acceleration is zero
 //! in free flight, the field's in a constant field, and the field's projection on the cushion for a held ball.
+
+mod cloth;
+mod sphere;
+
+pub use cloth::Cloth;
+pub use sphere::{Motion, SphereFlight, SphereState};
 
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;

@@ -2,12 +2,14 @@
 
 mod disc;
 mod face;
+mod hole;
 mod sphere;
 mod table;
 mod tolerance;
 
 pub use disc::Disc;
 pub use face::{Face, Faces, Line, Room, Round};
+pub use hole::Hole;
 pub use sphere::{Sphere, Twist};
 pub use table::{Corner, Cushion, JOINT_TOLERANCE, Outline, OutlineKind, Table, circle, rectangle};
 pub use tolerance::{ContactTolerance, closing_threshold};

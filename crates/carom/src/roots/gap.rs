@@ -44,6 +44,29 @@ impl<S: Scalar> Interval<S> {
         Self { lower: center - radius, upper: center + radius }
     }
 
+    /// All products of a number of one and a number of the other.
+    #[must_use]
+    pub fn times(self, other: Self) -> Self {
+        let products = [
+            self.lower * other.lower,
+            self.lower * other.upper,
+            self.upper * other.lower,
+            self.upper * other.upper,
+        ];
+        let (mut lower, mut upper) = (products[0], products[0]);
+        for product in products {
+            lower = if product < lower { product } else { lower };
+            upper = if product > upper { product } else { upper };
+        }
+        Self { lower, upper }
+    }
+
+    /// All sums of a number of one and a number of the other.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self { lower: self.lower + other.lower, upper: self.upper + other.upper }
+    }
+
     fn contains_zero(self) -> bool {
         !(self.lower > S::ZERO || self.upper < S::ZERO)
     }
