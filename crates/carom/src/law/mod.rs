@@ -5,8 +5,12 @@
 
 pub mod ball_ball;
 pub mod ball_cushion;
+pub mod cloth;
 pub mod cluster;
+pub mod coefficient;
 pub mod collapse;
+pub mod cue_ball;
 mod reference;
+mod sphere_plane;
 
 pub use reference::Reference;

@@ -19,3 +19,9 @@ pub(super) const fn newton(law: &'static str) -> Reference {
         "I. Newton, Philosophiæ Naturalis Principia Mathematica (1687), scholium after the laws of motion";
     Reference { law, text, doi: None }
 }
+
+/// The source of every law with a coefficient of friction.
+pub(super) const fn coulomb(law: &'static str) -> Reference {
+    let text = "C. A. Coulomb, Théorie des machines simples, Mémoires de mathématique et de physique 10 (1785) 161–332";
+    Reference { law, text, doi: None }
+}

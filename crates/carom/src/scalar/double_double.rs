@@ -209,6 +209,14 @@ impl Scalar for DoubleDouble {
         (Self::from_f64(cos), Self::from_f64(sin))
     }
 
+    fn exp(self) -> Self {
+        Self::from_f64(Scalar::exp(self.hi))
+    }
+
+    fn angle(x: Self, y: Self) -> Self {
+        Self::from_f64(Scalar::angle(x.hi, y.hi))
+    }
+
     #[inline(always)]
     fn is_finite(self) -> bool {
         self.hi.is_finite()

@@ -154,6 +154,21 @@ impl<const N: usize> Scalar for Dual<N> {
         (Self::with(cos, |i| -sin * self.derivatives[i]), Self::with(sin, |i| cos * self.derivatives[i]))
     }
 
+    fn exp(self) -> Self {
+        let value = Scalar::exp(self.value);
+        Self::with(value, |i| value * self.derivatives[i])
+    }
+
+    /// The angle of a direction. Where both components vanish it has no derivative, and those it gets are not a number
+    /// unless they vanish too.
+    fn angle(x: Self, y: Self) -> Self {
+        let squared = x.value * x.value + y.value * y.value;
+        Self::with(Scalar::angle(x.value, y.value), |i| {
+            let turned = x.value * y.derivatives[i] - y.value * x.derivatives[i];
+            if turned == 0.0 { 0.0 } else { turned / squared }
+        })
+    }
+
     fn is_finite(self) -> bool {
         self.value.is_finite() && self.derivatives.iter().all(|derivative| derivative.is_finite())
     }

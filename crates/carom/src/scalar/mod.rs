@@ -61,6 +61,14 @@ pub trait Scalar:
     /// there the inputs of a computation are its `f64` values.
     fn cos_sin(self) -> (Self, Self);
 
+    /// The exponential function, of laws that were fitted with it.
+    #[must_use]
+    fn exp(self) -> Self;
+
+    /// The angle in radians, from −π to π, of the direction with these components; zero where both vanish.
+    #[must_use]
+    fn angle(x: Self, y: Self) -> Self;
+
     /// Whether the value, and every derivative it carries, is neither infinite nor NaN.
     fn is_finite(self) -> bool;
 
@@ -107,6 +115,14 @@ impl Scalar for f64 {
 
     fn cos_sin(self) -> (Self, Self) {
         (libm::cos(self), libm::sin(self))
+    }
+
+    fn exp(self) -> Self {
+        libm::exp(self)
+    }
+
+    fn angle(x: Self, y: Self) -> Self {
+        libm::atan2(y, x)
     }
 
     #[inline(always)]

@@ -1,8 +1,15 @@
-//! Laws of the contact between two balls: one in each file, and a variant of [`Law`].
+//! Laws of the contact between two balls: one in each file, and a variant of [`Law`] for discs, of [`SphereLaw`] for
+//! spheres.
 
+mod frictional;
+mod mathavan_2014;
 mod restitution;
+mod sphere;
 
+pub use frictional::Frictional;
+pub use mathavan_2014::Mathavan2014;
 pub use restitution::Restitution;
+pub use sphere::{SphereImpact, SphereLaw, SpherePair};
 
 use crate::geometry::Vec2;
 use crate::law::Reference;

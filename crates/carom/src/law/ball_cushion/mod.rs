@@ -1,11 +1,22 @@
-//! Laws of the contact between a ball and a cushion: one in each file, and a variant of [`Law`].
+//! Laws of the contact between a ball and a cushion: one in each file, and a variant of [`Law`] for discs, of
+//! [`SphereLaw`] for spheres.
 //!
 //! A unit normal `n` comes with a scale, one over the squared length that it has as rounded: `(v·n) n · scale` is the
 //! part of v along it.
 
+mod frictional;
+mod han_2005;
+mod mathavan_2010;
 mod restitution;
+mod sphere;
+mod stronge_compliant;
 
+pub use frictional::Frictional;
+pub use han_2005::Han2005;
+pub use mathavan_2010::Mathavan2010;
 pub use restitution::Restitution;
+pub use sphere::{CushionHit, SphereLaw};
+pub use stronge_compliant::StrongeCompliant;
 
 use crate::geometry::Vec2;
 use crate::law::Reference;

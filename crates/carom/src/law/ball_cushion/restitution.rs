@@ -5,10 +5,11 @@
 //!
 //! Source: Newton (1687) for e; the factor β is the course exercise's.
 
-use super::Rebound;
+use super::{CushionHit, Rebound};
 use crate::geometry::Vec2;
 use crate::law::Reference;
 use crate::law::reference::newton;
+use crate::model::Twist;
 use crate::scalar::Scalar;
 
 /// The sources of the law.
@@ -49,6 +50,15 @@ impl<S: Scalar> Restitution<S> {
             normal_velocity,
             energy_loss: S::from_f64(0.5) * lost,
         }
+    }
+
+    /// Along the normal and across it a sphere does as a disc; in the air that normal is the nose's. Its spin stays.
+    #[inline(always)]
+    pub(super) fn rebound_of_sphere(&self, hit: &CushionHit<S>, restitution: S) -> Twist<S> {
+        let normal = hit.closing_normal();
+        let Twist { velocity, spin } = hit.twist;
+        let turned = normal * ((self.tangential + restitution) * velocity.dot(normal));
+        Twist { velocity: velocity * self.tangential - turned, spin }
     }
 
     pub(super) fn slide(&self, velocity: Vec2<S>, (normal, scale): (Vec2<S>, S)) -> Option<Vec2<S>> {
