@@ -16,4 +16,4 @@ pub use meeting::{Meeting, MeetingKind, meetings};
 pub use outline::{signed_area, signed_distance};
 pub use piece::{Arc, Piece, Segment};
 pub use vec3::Vec3;
-pub use vector::Vec2;
+pub use vector::{Vec2, Vector};

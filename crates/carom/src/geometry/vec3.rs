@@ -1,6 +1,6 @@
 //! Vectors in space.
 
-use super::Vec2;
+use super::{Vec2, Vector};
 use crate::scalar::Scalar;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -89,6 +89,25 @@ impl<S: Scalar> Vec3<S> {
     /// Whether all components are finite.
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+    }
+}
+
+impl<S: Scalar> Vector<S> for Vec3<S> {
+    const ZERO: Self = Self::ZERO;
+
+    #[inline(always)]
+    fn dot(self, other: Self) -> S {
+        self.dot(other)
+    }
+
+    #[inline(always)]
+    fn size(self) -> S {
+        self.x.abs() + self.y.abs() + self.z.abs()
+    }
+
+    #[inline(always)]
+    fn detached(self) -> Self {
+        Self::new(self.x.detached(), self.y.detached(), self.z.detached())
     }
 }
 

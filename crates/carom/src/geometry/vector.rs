@@ -1,7 +1,34 @@
-//! Vectors in the plane.
+//! Vectors in the plane, and what they share with those in space.
 
 use crate::scalar::Scalar;
+use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
+
+/// A vector in the plane or in space, for what does not depend on which.
+pub trait Vector<S: Scalar>:
+    Copy
+    + Debug
+    + PartialEq
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Neg<Output = Self>
+    + Mul<S, Output = Self>
+{
+    /// The zero vector.
+    const ZERO: Self;
+
+    /// Scalar product.
+    #[must_use]
+    fn dot(self, other: Self) -> S;
+
+    /// The sum of the components' absolute values.
+    #[must_use]
+    fn size(self) -> S;
+
+    /// The same vector without the derivatives it carries.
+    #[must_use]
+    fn detached(self) -> Self;
+}
 
 /// A vector in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +100,25 @@ impl<S: Scalar> Vec2<S> {
     /// Whether both components are finite.
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite()
+    }
+}
+
+impl<S: Scalar> Vector<S> for Vec2<S> {
+    const ZERO: Self = Self::ZERO;
+
+    #[inline(always)]
+    fn dot(self, other: Self) -> S {
+        self.dot(other)
+    }
+
+    #[inline(always)]
+    fn size(self) -> S {
+        self.x.abs() + self.y.abs()
+    }
+
+    #[inline(always)]
+    fn detached(self) -> Self {
+        Self::new(self.x.detached(), self.y.detached())
     }
 }
 

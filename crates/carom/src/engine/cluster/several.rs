@@ -3,7 +3,9 @@
 use super::{Contact, Member};
 use crate::engine::Discs;
 use crate::law::ball_ball;
-use crate::law::cluster::{Body, Passes, Touch, TouchLaw, resolve_pairwise, resolve_reflections};
+use crate::law::cluster::{
+    Body, DiscLaw, Passes, Touch, effective_radius, resolve_pairwise, resolve_reflections,
+};
 use crate::run::Event;
 use crate::scalar::Scalar;
 use crate::scenario::schema::Cluster;
@@ -52,12 +54,14 @@ impl<S: Scalar> Discs<S> {
         let (first, second) = contact.members;
         let (ball, other) = (members[first].ball, second.map(|second| members[second].ball));
         let law = match (other, contact.cushion) {
-            (Some(other), _) => TouchLaw::Balls(self.ball_law(ball, other, time)),
-            (None, Some(cushion)) => TouchLaw::Cushion(self.cushion_law(ball, cushion, time)),
-            (None, None) => TouchLaw::Balls(ball_ball::Law::ELASTIC),
+            (Some(other), _) => DiscLaw::Balls(self.ball_law(ball, other, time)),
+            (None, Some(cushion)) => DiscLaw::Cushion(self.cushion_law(ball, cushion, time)),
+            (None, None) => DiscLaw::Balls(ball_ball::Law::ELASTIC),
         };
         let kept_speed = self.kept_speed(ball, other);
-        Touch { kept_speed, ..Touch::new(first, second, contact.normal, law) }
+        let radius = |ball: usize| self.balls[ball].disc.radius;
+        let effective_radius = effective_radius(radius(ball), other.map(radius));
+        Touch { kept_speed, effective_radius, ..Touch::new(first, second, contact.normal, law) }
     }
 
     /// Lets the laws of the cushions that were hit act along them; says whether any velocity changed.

@@ -10,7 +10,7 @@ pub mod reflections;
 pub use pairwise::resolve_pairwise;
 pub use reflections::resolve_reflections;
 
-use crate::geometry::Vec2;
+use crate::geometry::{Vec2, Vector};
 use crate::law::collapse::restitution_keeping;
 use crate::law::{Reference, ball_ball, ball_cushion};
 use crate::scalar::Scalar;
@@ -26,35 +26,52 @@ const fn vouga_2017(law: &'static str) -> Reference {
 
 /// A ball in a cluster.
 #[derive(Clone, Copy, Debug)]
-pub struct Body<S> {
+pub struct Body<S, V = Vec2<S>> {
     /// Its velocity, which the law changes.
-    pub velocity: Vec2<S>,
+    pub velocity: V,
     /// One over its mass.
     pub inverse_mass: S,
     /// Sum of the sizes of its velocity at first and of all changes since, which rounding errors are proportional to.
     scale: S,
 }
 
-/// The law of a contact.
+/// What a cluster has to know of the law of a contact.
+pub trait TouchLaw<S>: Copy {
+    /// The coefficient of restitution of a contact that closes at this speed.
+    fn restitution(&self, closing_speed: S) -> S;
+}
+
+/// The law of a contact of discs.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum TouchLaw<S> {
+pub enum DiscLaw<S> {
     /// Between two balls.
     Balls(ball_ball::Law<S>),
     /// Between a ball and a cushion.
     Cushion(ball_cushion::Law<S>),
 }
 
+impl<S: Scalar> TouchLaw<S> for DiscLaw<S> {
+    fn restitution(&self, closing_speed: S) -> S {
+        match self {
+            Self::Balls(law) => law.restitution(closing_speed),
+            Self::Cushion(law) => law.restitution(closing_speed),
+        }
+    }
+}
+
 /// A contact in a cluster: between two bodies, or of one with a cushion.
 #[derive(Clone, Copy, Debug)]
-pub struct Touch<S> {
+pub struct Touch<S, V = Vec2<S>, L = DiscLaw<S>> {
     /// The first body.
     pub a: usize,
     /// The second body; `None` for a cushion.
     pub b: Option<usize>,
     /// Unit vector from the first body to the second, or into the cushion.
-    pub normal: Vec2<S>,
+    pub normal: V,
     /// What says how much of the closing speed it gives back.
-    pub law: TouchLaw<S>,
+    pub law: L,
+    /// What the law `hertz` takes for its size: see [`effective_radius`].
+    pub effective_radius: S,
     /// Closing speeds up to this are given back in full, faster ones at least that far.
     pub kept_speed: S,
     /// Normal impulse received so far.
@@ -75,15 +92,15 @@ pub struct Passes {
 /// Passes allowed for each ball of a cluster before the last one, which is without restitution.
 const PASSES_PER_BALL: usize = 8;
 
-impl<S: Scalar> Body<S> {
+impl<S: Scalar, V: Vector<S>> Body<S, V> {
     /// A ball that has not been pushed yet.
-    pub fn new(velocity: Vec2<S>, inverse_mass: S) -> Self {
-        Self { velocity, inverse_mass, scale: size(velocity) }
+    pub fn new(velocity: V, inverse_mass: S) -> Self {
+        Self { velocity, inverse_mass, scale: velocity.size() }
     }
 
     /// Gives it a new velocity.
-    pub fn turn(&mut self, velocity: Vec2<S>) {
-        self.scale += size(velocity - self.velocity);
+    pub fn turn(&mut self, velocity: V) {
+        self.scale += (velocity - self.velocity).size();
         self.velocity = velocity;
     }
 
@@ -95,49 +112,56 @@ impl<S: Scalar> Body<S> {
     /// Stops a ball whose velocity is nothing but round-off: so one that a cluster brings to rest is at rest.
     pub fn drop_round_off(&mut self) {
         let velocity = self.velocity;
-        if size(velocity) <= self.threshold() {
-            self.velocity = velocity - Vec2::new(velocity.x.detached(), velocity.y.detached());
+        if velocity.size() <= self.threshold() {
+            self.velocity = velocity - velocity.detached();
         }
     }
 }
 
-fn size<S: Scalar>(velocity: Vec2<S>) -> S {
-    velocity.x.abs() + velocity.y.abs()
+/// The radius of the sphere that presses on a plane as two balls do on each other: `R₁R₂/(R₁ + R₂)`; of a ball at a
+/// cushion its own. Zero for a point.
+pub fn effective_radius<S: Scalar>(radius: S, other: Option<S>) -> S {
+    match other {
+        Some(other) if radius * other > S::ZERO => radius * other / (radius + other),
+        Some(_) => S::ZERO,
+        None => radius,
+    }
 }
 
-impl<S: Scalar> Touch<S> {
-    /// A contact that has received nothing yet.
-    pub fn new(a: usize, b: Option<usize>, normal: Vec2<S>, law: TouchLaw<S>) -> Self {
-        Self { a, b, normal, law, kept_speed: S::ZERO, impulse: S::ZERO, closing_speed: S::ZERO }
+impl<S: Scalar, V: Vector<S>, L: TouchLaw<S>> Touch<S, V, L> {
+    /// A contact that has received nothing yet, as large as all others.
+    pub fn new(a: usize, b: Option<usize>, normal: V, law: L) -> Self {
+        let (effective_radius, zero) = (S::ONE, S::ZERO);
+        Self { a, b, normal, law, effective_radius, kept_speed: zero, impulse: zero, closing_speed: zero }
     }
 
     /// The speed at which the gap opens (negative while closing).
-    fn gap_rate(&self, bodies: &[Body<S>]) -> S {
+    fn gap_rate(&self, bodies: &[Body<S, V>]) -> S {
         (self.velocity_b(bodies) - bodies[self.a].velocity).dot(self.normal)
     }
 
     /// The restitution of the contact as it closes now.
-    fn restitution_now(&self, bodies: &[Body<S>]) -> S {
-        let closing_speed = -self.gap_rate(bodies);
-        let own = match self.law {
-            TouchLaw::Balls(law) => law.restitution(closing_speed),
-            TouchLaw::Cushion(law) => law.restitution(closing_speed),
-        };
-        restitution_keeping(own, self.kept_speed, closing_speed)
+    fn restitution_now(&self, bodies: &[Body<S, V>]) -> S {
+        self.restitution_at(-self.gap_rate(bodies))
+    }
+
+    /// The restitution of the contact if it closes at this speed.
+    fn restitution_at(&self, closing_speed: S) -> S {
+        restitution_keeping(self.law.restitution(closing_speed), self.kept_speed, closing_speed)
     }
 
     /// Whether the gap closes, beyond the round-off of the velocities.
-    fn is_closing(&self, bodies: &[Body<S>]) -> bool {
+    fn is_closing(&self, bodies: &[Body<S, V>]) -> bool {
         let threshold = bodies[self.a].threshold() + self.b.map_or(S::ZERO, |b| bodies[b].threshold());
         self.gap_rate(bodies) < -threshold
     }
 
-    fn velocity_b(&self, bodies: &[Body<S>]) -> Vec2<S> {
-        self.b.map_or(Vec2::ZERO, |b| bodies[b].velocity)
+    fn velocity_b(&self, bodies: &[Body<S, V>]) -> V {
+        self.b.map_or(V::ZERO, |b| bodies[b].velocity)
     }
 
     /// Gives both bodies the normal impulse `impulse` and adds it to the contact's account.
-    fn apply(&mut self, impulse: S, bodies: &mut [Body<S>]) {
+    fn apply(&mut self, impulse: S, bodies: &mut [Body<S, V>]) {
         let push = self.normal * impulse;
         let a = &mut bodies[self.a];
         a.turn(a.velocity - push * a.inverse_mass);
@@ -157,6 +181,9 @@ impl<S: Scalar> Touch<S> {
 }
 
 /// The indices of the contacts that close.
-fn closing_touches<S: Scalar>(touches: &[Touch<S>], bodies: &[Body<S>]) -> Vec<usize> {
+fn closing_touches<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
+    touches: &[Touch<S, V, L>],
+    bodies: &[Body<S, V>],
+) -> Vec<usize> {
     (0..touches.len()).filter(|&k| touches[k].is_closing(bodies)).collect()
 }

@@ -7,7 +7,8 @@
 //! restitution, over all contacts, after a number of them.
 
 use super::reflections::force_open;
-use super::{Body, PASSES_PER_BALL, Passes, Touch, closing_touches, vouga_2017};
+use super::{Body, PASSES_PER_BALL, Passes, Touch, TouchLaw, closing_touches, vouga_2017};
+use crate::geometry::Vector;
 use crate::law::Reference;
 use crate::scalar::Scalar;
 
@@ -15,7 +16,10 @@ use crate::scalar::Scalar;
 pub const REFERENCES: &[Reference] = &[vouga_2017("cluster.pairwise")];
 
 /// Resolves the contacts one at a time until none closes.
-pub fn resolve_pairwise<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<S>]) -> Passes {
+pub fn resolve_pairwise<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
+    bodies: &mut [Body<S, V>],
+    touches: &mut [Touch<S, V, L>],
+) -> Passes {
     let limit = PASSES_PER_BALL * bodies.len() * touches.len();
     for count in 0..limit {
         let Some(k) = strongest(touches, bodies) else {
@@ -32,7 +36,10 @@ pub fn resolve_pairwise<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<
     Passes { count: limit as u32 + 1, forced: true }
 }
 
-fn strongest<S: Scalar>(touches: &[Touch<S>], bodies: &[Body<S>]) -> Option<usize> {
+fn strongest<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
+    touches: &[Touch<S, V, L>],
+    bodies: &[Body<S, V>],
+) -> Option<usize> {
     closing_touches(touches, bodies)
         .into_iter()
         .reduce(|best, k| if touches[k].gap_rate(bodies) < touches[best].gap_rate(bodies) { k } else { best })

@@ -12,7 +12,8 @@
 //! source*: restitution per contact, energy guard, last pass.
 
 use super::complementarity::solve_complementarity;
-use super::{Body, PASSES_PER_BALL, Passes, Touch, closing_touches, vouga_2017};
+use super::{Body, PASSES_PER_BALL, Passes, Touch, TouchLaw, closing_touches, vouga_2017};
+use crate::geometry::Vector;
 use crate::law::Reference;
 use crate::scalar::Scalar;
 
@@ -27,7 +28,10 @@ pub const REFERENCES: &[Reference] = &[
 ];
 
 /// Resolves all contacts until none closes.
-pub fn resolve_reflections<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<S>]) -> Passes {
+pub fn resolve_reflections<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
+    bodies: &mut [Body<S, V>],
+    touches: &mut [Touch<S, V, L>],
+) -> Passes {
     let limit = PASSES_PER_BALL * bodies.len();
     for count in 0..limit {
         let closing = closing_touches(touches, bodies);
@@ -44,7 +48,10 @@ pub fn resolve_reflections<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Tou
 }
 
 /// Stops the closing of every contact, without restitution.
-pub(super) fn force_open<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<S>]) {
+pub(super) fn force_open<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
+    bodies: &mut [Body<S, V>],
+    touches: &mut [Touch<S, V, L>],
+) {
     let all: Vec<usize> = (0..touches.len()).collect();
     let impulses = stopping_impulses(bodies, touches, &all);
     for (&k, &impulse) in all.iter().zip(&impulses) {
@@ -52,7 +59,11 @@ pub(super) fn force_open<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch
     }
 }
 
-fn reflect<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<S>], closing: &[usize]) {
+fn reflect<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
+    bodies: &mut [Body<S, V>],
+    touches: &mut [Touch<S, V, L>],
+    closing: &[usize],
+) {
     for &k in closing {
         let speed = -touches[k].gap_rate(bodies);
         touches[k].note_closing(speed);
@@ -68,9 +79,9 @@ fn reflect<S: Scalar>(bodies: &mut [Body<S>], touches: &mut [Touch<S>], closing:
 
 /// The share of the bouncing impulses that keeps the energy from rising: with the energy after the stop at its least,
 /// `|Bλ e|² ≤ |Bλ|²` in the metric of the masses.
-fn bounce_share<S: Scalar>(
-    bodies: &[Body<S>],
-    touches: &[Touch<S>],
+fn bounce_share<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
+    bodies: &[Body<S, V>],
+    touches: &[Touch<S, V, L>],
     closing: &[usize],
     stopping: &[S],
     bouncing: &[S],
@@ -80,9 +91,9 @@ fn bounce_share<S: Scalar>(
     if given > taken { (taken / given).sqrt() } else { S::ONE }
 }
 
-fn quadratic_form<S: Scalar>(
-    bodies: &[Body<S>],
-    touches: &[Touch<S>],
+fn quadratic_form<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
+    bodies: &[Body<S, V>],
+    touches: &[Touch<S, V, L>],
     closing: &[usize],
     impulses: &[S],
 ) -> S {
@@ -96,7 +107,11 @@ fn quadratic_form<S: Scalar>(
 }
 
 /// The least impulses that leave none of the contacts `chosen` closing.
-fn stopping_impulses<S: Scalar>(bodies: &[Body<S>], touches: &[Touch<S>], chosen: &[usize]) -> Vec<S> {
+fn stopping_impulses<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
+    bodies: &[Body<S, V>],
+    touches: &[Touch<S, V, L>],
+    chosen: &[usize],
+) -> Vec<S> {
     let matrix: Vec<Vec<S>> = chosen
         .iter()
         .map(|&k| chosen.iter().map(|&l| coupling(bodies, &touches[k], &touches[l])).collect())
@@ -106,7 +121,11 @@ fn stopping_impulses<S: Scalar>(bodies: &[Body<S>], touches: &[Touch<S>], chosen
 }
 
 /// How much a unit impulse in contact `l` changes the gap rate of contact `k`.
-fn coupling<S: Scalar>(bodies: &[Body<S>], k: &Touch<S>, l: &Touch<S>) -> S {
+fn coupling<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
+    bodies: &[Body<S, V>],
+    k: &Touch<S, V, L>,
+    l: &Touch<S, V, L>,
+) -> S {
     let mut sum = S::ZERO;
     for (body, sign_k) in ends(k) {
         for (other, sign_l) in ends(l) {
@@ -119,6 +138,8 @@ fn coupling<S: Scalar>(bodies: &[Body<S>], k: &Touch<S>, l: &Touch<S>) -> S {
     sum
 }
 
-fn ends<S: Scalar>(touch: &Touch<S>) -> impl Iterator<Item = (usize, bool)> {
+fn ends<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
+    touch: &Touch<S, V, L>,
+) -> impl Iterator<Item = (usize, bool)> {
     core::iter::once((touch.a, false)).chain(touch.b.map(|b| (b, true)))
 }
