@@ -8,9 +8,11 @@ mod interface;
 mod predict;
 mod queue;
 mod simulation;
+mod spheres;
 mod strike;
 
 pub use discs::Discs;
 pub use interface::{Engine, Fault};
 pub use queue::{Pending, Target};
 pub use simulation::{Coming, Limits, Simulation};
+pub use spheres::Spheres;

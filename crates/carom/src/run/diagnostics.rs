@@ -1,12 +1,14 @@
 //! Runs audit themselves.
 
 use super::event::Kind;
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// What a run found out about itself. All sums are in `f64`; none of them acts back on the run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Diagnostics {
-    /// Events of each kind, in the order of [`Kind::ALL`].
+    /// Events of each kind, in the order of [`Kind::ALL`]; a saved run may know fewer kinds.
+    #[serde(deserialize_with = "counts")]
     pub events: [u64; Kind::ALL.len()],
     /// Predictions of a ball's next event.
     pub predictions: u64,
@@ -38,6 +40,17 @@ pub struct Diagnostics {
     pub lost_time: f64,
     /// States corrected by the engine: none, as it never does.
     pub corrections: u64,
+}
+
+/// Counts of the kinds that there were when a run was saved; there are none of later ones.
+fn counts<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[u64; Kind::ALL.len()], D::Error> {
+    let saved = Vec::<u64>::deserialize(deserializer)?;
+    let mut counts = [0; Kind::ALL.len()];
+    if saved.len() > counts.len() {
+        return Err(D::Error::invalid_length(saved.len(), &"a count for each kind of event"));
+    }
+    counts[..saved.len()].copy_from_slice(&saved);
+    Ok(counts)
 }
 
 impl Diagnostics {

@@ -1,10 +1,10 @@
 //! What a run knows of the dynamics that it is a run of.
 
-use crate::flight::{Flight, State};
-use crate::geometry::Vec2;
+use crate::flight::{Flight, Motion, SphereFlight, SphereState, State};
+use crate::geometry::{Vec2, Vec3};
 use crate::run::{Steps, Track};
 use crate::scalar::Scalar;
-use crate::scenario::{Scenario, System};
+use crate::scenario::{ClothSystem, Scenario, System};
 use core::fmt::Debug;
 
 /// A dynamics as a run sees it: its system, a ball's flight, and the state that this gives at any time.
@@ -123,5 +123,96 @@ impl<S: Scalar> Dynamics<S> for Plane {
 
     fn numbers(State { position, velocity }: &State<S>) -> impl Iterator<Item = f64> {
         [position.x, position.y, velocity.x, velocity.y].into_iter().map(S::to_f64)
+    }
+}
+
+/// Balls that roll and spin on a cloth, and fly above it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OnCloth;
+
+/// What a ball on a cloth carries from event to event beside its flight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SphereTrack<S> {
+    /// Changes of course so far.
+    pub changes: u64,
+    /// Since when its contacts are counted, to see whether they follow each other too fast.
+    pub burst_start: S,
+    /// Contacts since then.
+    pub burst: u32,
+}
+
+/// The steps of a dynamics that has no fixed-step method: there are none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoSteps {}
+
+impl<S: Scalar> Dynamics<S> for OnCloth {
+    type System = ClothSystem<S>;
+    type Flight = SphereFlight<S>;
+    type State = SphereState<S>;
+    type Track = SphereTrack<S>;
+    type Vector = Vec3<S>;
+    type Steps = NoSteps;
+
+    fn system(scenario: &Scenario) -> ClothSystem<S> {
+        ClothSystem::new(scenario)
+    }
+
+    fn ball_ids(system: &ClothSystem<S>) -> &[String] {
+        &system.ball_ids
+    }
+
+    fn cushion_ids(system: &ClothSystem<S>) -> &[String] {
+        &system.cushion_ids
+    }
+
+    fn start(flight: &SphereFlight<S>) -> S {
+        flight.start()
+    }
+
+    fn state_at(flight: &SphereFlight<S>, time: S) -> SphereState<S> {
+        flight.state_after(time - flight.start())
+    }
+
+    fn state_in_steps(steps: &NoSteps, _: S) -> Vec<SphereState<S>> {
+        match *steps {}
+    }
+
+    fn as_steps(steps: &NoSteps) -> &Steps<S> {
+        match *steps {}
+    }
+
+    /// Of translation and spin, of the balls in play.
+    fn kinetic_energy(system: &ClothSystem<S>, states: &[SphereState<S>]) -> S {
+        let mut sum = S::ZERO;
+        for (state, sphere) in states.iter().zip(&system.spheres) {
+            sum += sphere.kinetic_energy(&state.twist);
+        }
+        sum
+    }
+
+    /// Of the height of the balls in play above the cloth.
+    fn potential_energy(system: &ClothSystem<S>, states: &[SphereState<S>]) -> S {
+        let mut sum = S::ZERO;
+        for (state, sphere) in states.iter().zip(&system.spheres) {
+            if !state.motion.is_out() {
+                sum += system.height_energy(sphere, state.position);
+            }
+        }
+        sum
+    }
+
+    fn momentum(system: &ClothSystem<S>, states: &[SphereState<S>]) -> Vec3<S> {
+        let mut sum = Vec3::ZERO;
+        for (state, sphere) in states.iter().zip(&system.spheres) {
+            sum = sum + state.twist.velocity * sphere.mass;
+        }
+        sum
+    }
+
+    /// Its motion's code, place, velocity and spin.
+    fn numbers(SphereState { motion, position, twist }: &SphereState<S>) -> impl Iterator<Item = f64> {
+        let code = f64::from(*motion as u8);
+        let vectors = [*position, twist.velocity, twist.spin].map(Vec3::to_f64);
+        core::iter::once(code).chain(vectors.into_iter().flatten())
     }
 }

@@ -15,11 +15,49 @@ pub enum Kind {
     Hold,
     /// A ball that lay on a cushion passed its end.
     Release,
+    /// The cue struck a ball.
+    CueBall,
+    /// The tip of the cue slipped off the ball.
+    Miscue,
+    /// A ball that slid on the cloth rolls from now on.
+    SlideToRoll,
+    /// A ball that slid stopped, and spins in place.
+    SlideToSpin,
+    /// A ball that slid stopped.
+    SlideToRest,
+    /// A ball that rolled stopped, and spins in place.
+    RollToSpin,
+    /// A ball that rolled stopped.
+    RollToRest,
+    /// A ball that spun in place stopped.
+    SpinToRest,
+    /// A ball fell onto the cloth.
+    BallCloth,
+    /// A ball dropped into a pocket.
+    BallPocket,
+    /// A ball flew over a cushion, off the table.
+    OffTable,
 }
 
 impl Kind {
     /// Every kind, in the order of its code.
-    pub const ALL: [Self; 4] = [Self::BallBall, Self::BallCushion, Self::Hold, Self::Release];
+    pub const ALL: [Self; 15] = [
+        Self::BallBall,
+        Self::BallCushion,
+        Self::Hold,
+        Self::Release,
+        Self::CueBall,
+        Self::Miscue,
+        Self::SlideToRoll,
+        Self::SlideToSpin,
+        Self::SlideToRest,
+        Self::RollToSpin,
+        Self::RollToRest,
+        Self::SpinToRest,
+        Self::BallCloth,
+        Self::BallPocket,
+        Self::OffTable,
+    ];
 
     /// The word used in files, on the shell and in Python.
     pub fn name(self) -> &'static str {
@@ -28,6 +66,17 @@ impl Kind {
             Self::BallCushion => "ball_cushion",
             Self::Hold => "hold",
             Self::Release => "release",
+            Self::CueBall => "cue_ball",
+            Self::Miscue => "miscue",
+            Self::SlideToRoll => "slide_to_roll",
+            Self::SlideToSpin => "slide_to_spin",
+            Self::SlideToRest => "slide_to_rest",
+            Self::RollToSpin => "roll_to_spin",
+            Self::RollToRest => "roll_to_rest",
+            Self::SpinToRest => "spin_to_rest",
+            Self::BallCloth => "ball_cloth",
+            Self::BallPocket => "ball_pocket",
+            Self::OffTable => "off_table",
         }
     }
 
@@ -48,7 +97,7 @@ pub struct Event<S> {
     pub ball_a: u32,
     /// The second ball of a ball-ball event.
     pub ball_b: Option<u32>,
-    /// The cushion of an event at one.
+    /// The cushion of an event at one, or the pocket, which are numbered after cushions and corners.
     pub cushion: Option<u32>,
     /// The place of contact.
     pub point: Vec2<S>,

@@ -13,7 +13,7 @@ mod steps;
 
 pub use diagnostics::Diagnostics;
 pub use digest::{Digest, digest};
-pub use dynamics::{Dynamics, Plane};
+pub use dynamics::{Dynamics, NoSteps, OnCloth, Plane, SphereTrack};
 pub use event::{Event, Kind};
 pub use file::{RunFileError, Saved, VERSION, from_json, to_json};
 pub use observer::{Log, Nothing, Observer};

@@ -1,6 +1,7 @@
 //! The text format of scenarios, and its checking.
 
 mod check;
+mod cloth_system;
 mod json;
 mod json_schema;
 mod layout;
@@ -15,6 +16,7 @@ mod system;
 mod values;
 
 pub use check::LARGEST;
+pub use cloth_system::{ClothSystem, NoseContact, Stroke};
 pub use json_schema::json_schema;
 pub use layout::Number;
 pub use path::Key;

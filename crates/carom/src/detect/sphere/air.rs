@@ -1,6 +1,5 @@
 //! Meetings in the air.
 
-use crate::detect::Surroundings;
 use crate::flight::SphereFlight;
 use crate::geometry::Vec3;
 use crate::model::{ContactTolerance, Face, Hole, Line, Round};

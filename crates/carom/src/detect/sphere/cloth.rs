@@ -91,5 +91,6 @@ fn is_out_of_reach<S: Scalar>(flight: &Flight<S>, reach: S, round: &Round<S>, le
 
 /// The offset at which the centre of a ball on the cloth comes over a pocket.
 pub fn detect_pocket<S: Scalar>(flight: &SphereFlight<S>, hole: &Hole<S>, tolerance: S) -> Option<S> {
-    detect_nose(flight, S::ZERO, &hole.rim, tolerance, &mut Surroundings::CLEAR)
+    let mut seen = Surroundings::CLEAR;
+    detect_nose(flight, S::ZERO, &hole.rim, tolerance, &mut seen)
 }

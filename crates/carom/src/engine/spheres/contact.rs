@@ -1,0 +1,213 @@
+//! Two balls meet.
+
+use super::ending::{Cause, size};
+use super::{Ball, Spheres};
+use crate::engine::interface::Fault;
+use crate::flight::SphereFlight;
+use crate::geometry::{Vec2, Vec3};
+use crate::law::ball_ball::{SphereImpact, SpherePair};
+use crate::law::collapse::restitution_keeping;
+use crate::model::{Sphere, Twist};
+use crate::run::{Event, Kind, Observer, OnCloth};
+use crate::scalar::Scalar;
+use core::cmp::Ordering;
+
+/// Events of one ball within the collapse time after which a run is given up.
+const BURST_LIMIT: u32 = 1000;
+
+/// A ball at the instant of a contact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Present<S> {
+    pub(super) ball: usize,
+    pub(super) sphere: Sphere<S>,
+    pub(super) position: Vec3<S>,
+    pub(super) twist: Twist<S>,
+}
+
+/// Two balls in touch, in order of their places: so it does not matter how they are numbered.
+struct Meeting<S> {
+    balls: [Present<S>; 2],
+    normal: Vec3<S>,
+    closing_speed: S,
+    impact: SphereImpact<S>,
+}
+
+impl<S: Scalar> Spheres<S> {
+    /// A ball where its flight has taken it, a time after its start.
+    pub(super) fn present(&self, ball: usize, elapsed: S) -> Present<S> {
+        let Ball { flight, sphere, .. } = self.balls[ball];
+        let state = flight.state_after(elapsed);
+        Present { ball, sphere, position: state.position, twist: state.twist }
+    }
+
+    /// Two balls meet, and perhaps more that touch them.
+    pub(super) fn strike_ball(
+        &mut self,
+        balls: [usize; 2],
+        time: S,
+        offset: S,
+        observer: &mut impl Observer<S, OnCloth>,
+    ) {
+        let start = self.balls[balls[0]].flight.plan.later_start(&self.balls[balls[1]].flight.plan);
+        let mut pair = balls.map(|ball| {
+            let since = start - self.balls[ball].flight.start();
+            self.present(ball, since + offset)
+        });
+        if by_place(pair[0].position, pair[1].position).is_gt() {
+            pair.swap(0, 1);
+        }
+        if !self.strike_cluster(&pair, time, observer) {
+            let meeting = self.meeting(pair);
+            self.resolve_meeting(&meeting, time, observer);
+        }
+    }
+
+    fn meeting(&self, balls: [Present<S>; 2]) -> Meeting<S> {
+        let [a, b] = &balls;
+        let normal = (b.position - a.position).unit();
+        let closing_speed = (a.twist.velocity - b.twist.velocity).dot(normal);
+        let scale = size(&a.sphere, &a.twist) + size(&b.sphere, &b.twist);
+        let kept_speed = self.kept_speed(a.ball, Some(b.ball));
+        let impact = if closing_speed > scale * S::from_f64(16.0 * S::EPSILON) {
+            let law = &self.system.ball_ball;
+            let restitution = restitution_keeping(law.restitution(closing_speed), kept_speed, closing_speed);
+            let pair = SpherePair { spheres: [a.sphere, b.sphere], normal, twists: [a.twist, b.twist] };
+            law.impact(&pair, restitution)
+        } else {
+            let twists = [(a.sphere, a.twist), (b.sphere, b.twist)];
+            hop(twists, normal, kept_speed + closing_speed)
+        };
+        Meeting { balls, normal, closing_speed, impact }
+    }
+
+    fn resolve_meeting(&mut self, meeting: &Meeting<S>, time: S, observer: &mut impl Observer<S, OnCloth>) {
+        let Meeting { balls: [a, b], impact, .. } = meeting;
+        let [after_a, after_b] = impact.twists;
+        let flights = [
+            (a.ball, self.flight_after(a.ball, time, a.position, &a.twist, after_a, Cause::Blow)),
+            (b.ball, self.flight_after(b.ball, time, b.position, &b.twist, after_b, Cause::Blow)),
+        ];
+        self.note_distance(meeting);
+        self.note_contact(a.ball, time);
+        self.note_contact(b.ball, time);
+        self.account_for_blow(&[*a, *b], &flights);
+        self.begin_flights(&flights, observer);
+        let event = contact_event([a, b], meeting.normal, time, meeting.closing_speed, impact.impulse);
+        self.emit(&event, observer);
+    }
+
+    fn note_distance(&mut self, Meeting { balls: [a, b], .. }: &Meeting<S>) {
+        let radii = a.sphere.radius + b.sphere.radius;
+        let overlap = radii - (b.position - a.position).norm();
+        if overlap > S::ZERO {
+            self.note_overlap(a.ball, overlap, overlap > self.system.tolerance.of(radii));
+        }
+    }
+
+    /// The speed with which two balls, or a ball and a cushion, part at least, unless they met with less.
+    pub(super) fn kept_speed(&self, ball: usize, other: Option<usize>) -> S {
+        let speeds = &self.system.kept_speeds;
+        let (own, other) = (speeds[ball], speeds[other.unwrap_or(ball)]);
+        if other < own { other } else { own }
+    }
+
+    /// Notes that a ball had a contact; if such follow each other too fast, that is a fault.
+    pub(super) fn note_contact(&mut self, ball: usize, time: S) {
+        let track = &mut self.balls[ball].track;
+        track.burst += 1;
+        if track.burst > BURST_LIMIT {
+            if time - track.burst_start <= self.system.collapse_times[ball] {
+                self.fault = Some(Fault::Collapse(ball as u32));
+            }
+            (track.burst_start, track.burst) = (time, 0);
+        }
+    }
+
+    /// Accounts for what a blow did to the energy of balls that then begin these flights.
+    pub(super) fn account_for_blow(&mut self, before: &[Present<S>], flights: &[(usize, SphereFlight<S>)]) {
+        let mut change = S::ZERO;
+        for (present, (_, flight)) in before.iter().zip(flights) {
+            let after = present.sphere.kinetic_energy(&flight.state_after(S::ZERO).twist);
+            change += after - present.sphere.kinetic_energy(&present.twist);
+        }
+        self.note_change(change.to_f64());
+    }
+
+    /// Starts the new flights of several balls, and then predicts where they lead.
+    pub(super) fn begin_flights(
+        &mut self,
+        flights: &[(usize, SphereFlight<S>)],
+        observer: &mut impl Observer<S, OnCloth>,
+    ) {
+        for (ball, flight) in flights {
+            self.account_for_friction(*ball, flight.start());
+            self.balls[*ball].flight = *flight;
+            self.balls[*ball].track.changes += 1;
+            observer.flight(*ball, flight);
+        }
+        for (ball, _) in flights {
+            self.predict(*ball);
+        }
+    }
+}
+
+/// What becomes of two balls that are pressed together without closing: they part with a hop too low to see, paid for by
+/// all their motion, so that the energy stays.
+fn hop<S: Scalar>(balls: [(Sphere<S>, Twist<S>); 2], normal: Vec3<S>, speed: S) -> SphereImpact<S> {
+    let [(a, twist_a), (b, twist_b)] = balls;
+    let impulse = speed / (a.inverse_mass + b.inverse_mass);
+    let mut twists = [
+        twist_a.after_impulse(&a, normal, -normal * impulse),
+        twist_b.after_impulse(&b, -normal, normal * impulse),
+    ];
+    let before = a.kinetic_energy(&twist_a) + b.kinetic_energy(&twist_b);
+    let after = a.kinetic_energy(&twists[0]) + b.kinetic_energy(&twists[1]);
+    pay(&mut twists, before, after);
+    SphereImpact { twists, impulse }
+}
+
+/// Slows all motion until the energy is what it was.
+pub(super) fn pay<S: Scalar>(twists: &mut [Twist<S>], before: S, after: S) {
+    if after <= before {
+        return;
+    }
+    // One rounding less than all of it, so that the energy does not rise by one.
+    let factor = (before / after).sqrt() * S::from_f64(1.0 - 4.0 * f64::EPSILON);
+    for twist in twists {
+        twist.velocity = twist.velocity * factor;
+        twist.spin = twist.spin * factor;
+    }
+}
+
+/// The row of a contact of two balls given in order of place; in it the one with the lower number comes first.
+pub(super) fn contact_event<S: Scalar>(
+    [a, b]: [&Present<S>; 2],
+    normal: Vec3<S>,
+    time: S,
+    closing_speed: S,
+    impulse: S,
+) -> Event<S> {
+    let (first, second, normal) = if a.ball < b.ball { (a, b, normal) } else { (b, a, -normal) };
+    Event {
+        time,
+        kind: Kind::BallBall,
+        ball_a: first.ball as u32,
+        ball_b: Some(second.ball as u32),
+        cushion: None,
+        point: (first.position + normal * first.sphere.radius).plan(),
+        normal: normal.plan(),
+        closing_speed,
+        impulse,
+        cluster: None,
+    }
+}
+
+/// The order of places: from left to right, then from bottom to top.
+pub(super) fn by_place<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Ordering {
+    let order = |a: Vec2<S>, b: Vec2<S>| a.x.partial_cmp(&b.x).map(|x| x.then(compare(a.y, b.y)));
+    order(a.plan(), b.plan()).unwrap_or(Ordering::Equal).then(compare(a.z, b.z))
+}
+
+fn compare<S: Scalar>(a: S, b: S) -> Ordering {
+    a.partial_cmp(&b).unwrap_or(Ordering::Equal)
+}
