@@ -21,7 +21,7 @@ pub struct ClothSystem<S> {
     /// The faces of cushions and corners.
     pub faces: Vec<Face<S>>,
     /// How each ball touches the noses of cushions.
-    pub noses: Vec<NoseContact<S>>,
+    pub noses: Vec<NoseReach<S>>,
     /// The law of each face.
     pub cushion_laws: Vec<ball_cushion::SphereLaw<S>>,
     /// The pockets.
@@ -48,7 +48,7 @@ pub struct ClothSystem<S> {
 
 /// How a ball touches the noses of cushions.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NoseContact<S> {
+pub struct NoseReach<S> {
     /// Height of the noses.
     pub height: S,
     /// Distance in plan from a nose to the centre of a ball on the cloth that touches it.

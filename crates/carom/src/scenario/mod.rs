@@ -16,7 +16,7 @@ mod system;
 mod values;
 
 pub use check::LARGEST;
-pub use cloth_system::{ClothSystem, NoseContact, Stroke};
+pub use cloth_system::{ClothSystem, NoseReach, Stroke};
 pub use json_schema::json_schema;
 pub use layout::Number;
 pub use path::Key;

@@ -3,7 +3,7 @@
 use super::ending::{Cause, size};
 use super::{Ball, Spheres};
 use crate::engine::interface::Fault;
-use crate::flight::SphereFlight;
+use crate::flight::{Motion, SphereFlight};
 use crate::geometry::{Vec2, Vec3};
 use crate::law::ball_ball::{SphereImpact, SpherePair};
 use crate::law::collapse::restitution_keeping;
@@ -71,7 +71,9 @@ impl<S: Scalar> Spheres<S> {
         let impact = if closing_speed > scale * S::from_f64(16.0 * S::EPSILON) {
             let law = &self.system.ball_ball;
             let restitution = restitution_keeping(law.restitution(closing_speed), kept_speed, closing_speed);
-            let pair = SpherePair { spheres: [a.sphere, b.sphere], normal, twists: [a.twist, b.twist] };
+            let on_cloth = [a, b].map(|present| self.balls[present.ball].flight.motion != Motion::Airborne);
+            let pair =
+                SpherePair { spheres: [a.sphere, b.sphere], normal, twists: [a.twist, b.twist], on_cloth };
             law.impact(&pair, restitution)
         } else {
             let twists = [(a.sphere, a.twist), (b.sphere, b.twist)];

@@ -118,7 +118,7 @@ impl<S: Scalar> Spheres<S> {
         let Ball { sphere, .. } = self.balls[ball];
         let cloth = &self.system.cloth;
         let mut twist =
-            bounce(&sphere, &end.twist, cloth.restitution, cloth.friction.unwrap_or(sphere.sliding));
+            bounce(&sphere, end.twist, cloth.restitution, cloth.friction.unwrap_or(sphere.sliding));
         let impulse = sphere.mass * (twist.velocity.z - end.twist.velocity.z);
         if !cloth.lets_hop(twist.velocity.z) {
             twist.velocity.z = S::ZERO;

@@ -50,6 +50,12 @@ pub enum DiscLaw<S> {
     Cushion(ball_cushion::Law<S>),
 }
 
+impl<S: Scalar> TouchLaw<S> for ball_ball::SphereLaw<S> {
+    fn restitution(&self, closing_speed: S) -> S {
+        ball_ball::SphereLaw::restitution(self, closing_speed)
+    }
+}
+
 impl<S: Scalar> TouchLaw<S> for DiscLaw<S> {
     fn restitution(&self, closing_speed: S) -> S {
         match self {
