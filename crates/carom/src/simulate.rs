@@ -2,8 +2,8 @@
 
 mod verify;
 
-use crate::engine::{Discs, Engine, Limits, Simulation};
-use crate::run::{Dynamics, Kind, Log, PHYSICS_VERSION, Plane, Run, SimulationError, Status};
+use crate::engine::{Discs, Engine, Limits, Simulation, Spheres};
+use crate::run::{Dynamics, Kind, Log, OnCloth, PHYSICS_VERSION, Plane, Run, SimulationError, Status};
 use crate::scenario::schema::{Method, Record};
 use crate::scenario::{Scenario, ScenarioError, System};
 use crate::stepped::{self, Ends, Readings};
@@ -39,6 +39,15 @@ impl Simulated for Plane {
         interrupted: &mut dyn FnMut() -> bool,
     ) -> Option<Run<f64>> {
         scheme_of(scenario).map(|scheme| scheme.simulate(scenario, until, interrupted))
+    }
+}
+
+impl Simulated for OnCloth {
+    type Engine = Spheres<f64>;
+
+    /// There is no fixed-step method for balls on a cloth.
+    fn stepped(_: &Scenario, _: Option<Kind>, _: &mut dyn FnMut() -> bool) -> Option<Run<f64, Self>> {
+        None
     }
 }
 

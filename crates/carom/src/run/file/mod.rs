@@ -3,6 +3,7 @@
 mod check;
 mod columns;
 mod saved;
+mod saved_on_cloth;
 
 use super::{Diagnostics, Digest, Log, Run, Status};
 use crate::scenario::{Scenario, ScenarioError};
