@@ -19,7 +19,7 @@ impl<S: Scalar> Run<S> {
         sources.extend(lossy.map(ball_cushion::Law::references));
         if self.diagnostics.cluster_passes > 0 {
             sources.push(match self.system.cluster {
-                Cluster::Reflections => cluster::reflections::REFERENCES,
+                Cluster::Reflections | Cluster::Hertz => cluster::reflections::REFERENCES,
                 Cluster::Pairwise => cluster::pairwise::REFERENCES,
             });
         }

@@ -1,6 +1,8 @@
 //! The text format of scenarios, and its checking.
 
 mod check;
+mod equipment;
+mod expand;
 mod json;
 mod json_schema;
 mod layout;
@@ -8,17 +10,21 @@ mod nearest;
 mod parse;
 mod path;
 mod problem;
+mod rack;
 pub mod schema;
+mod shot;
 mod start;
 mod structure;
 mod system;
 mod values;
 
 pub use check::LARGEST;
+pub use equipment::Equipment;
 pub use json_schema::json_schema;
 pub use layout::Number;
 pub use path::Key;
 pub use problem::{Problem, ScenarioError};
 pub use schema::Scenario;
+pub use shot::{CueStart, ShotStart};
 pub use start::BallStart;
 pub use system::System;

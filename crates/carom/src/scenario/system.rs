@@ -10,7 +10,7 @@ use crate::law::{ball_ball, ball_cushion};
 use crate::model::{ContactTolerance, Disc, Face, Faces, Line, Table};
 use crate::scalar::Scalar;
 
-/// Everything the engine needs, with every number in `S` and every name turned into an index.
+/// Everything the engine needs of a run of discs, with every number in `S` and every name turned into an index.
 ///
 /// Cushions are numbered as the table has them, corners after them.
 #[derive(Clone, Debug)]
@@ -71,6 +71,7 @@ impl<S: Scalar> System<S> {
     /// # Ok::<(), String>(())
     /// ```
     pub fn with(scenario: &Scenario, number: Number<'_, S>) -> Self {
+        let scenario = &*scenario.expanded();
         let table = scenario.table.layout(number);
         let laws = CushionLaws::new(&scenario.physics, number);
         let corner_law = |corner: &crate::model::Corner<S>, cushions: &[ball_cushion::Law<S>]| {
@@ -78,11 +79,11 @@ impl<S: Scalar> System<S> {
         };
         let mut cushion_laws: Vec<_> = table.cushions().map(|c| laws.of(&c.id)).collect();
         cushion_laws.extend(table.corners.iter().map(|c| corner_law(c, &cushion_laws)).collect::<Vec<_>>());
-        let ball_ball = ball_ball_law(&scenario.physics.ball_ball, number);
+        let ball_ball = ball_ball_law(scenario.physics.ball_ball(), number);
         let faces = faces(&table);
         let tolerance = ContactTolerance::new(&table);
         let backs = backs(&faces, tolerance.of(S::ZERO));
-        let field = field(&scenario.physics.flight, number);
+        let field = field(scenario.physics.flight(), number);
         let starts: Vec<_> = (scenario.balls.iter().enumerate())
             .map(|(k, ball)| ball.start(k, &scenario.ball_defaults, number))
             .collect();
@@ -90,11 +91,11 @@ impl<S: Scalar> System<S> {
         let flights: Vec<_> = starts.iter().map(|start| flight(start, field)).collect();
         Self {
             collapse_times: collapse_times(&discs, &flights, field, table.size()),
-            collapse_is_elastic: scenario.physics.collapse == Collapse::Tc,
+            collapse_is_elastic: scenario.physics.collapse() == Collapse::Tc,
             has_backs: backs.iter().any(Option::is_some),
             is_lossless: ball_ball.is_lossless() && cushion_laws.iter().all(ball_cushion::Law::is_lossless),
             ball_ball,
-            cluster: scenario.physics.cluster,
+            cluster: scenario.physics.cluster(),
             duration: scenario.duration.map(|value| number(&"duration", value)),
             ball_ids: scenario.balls.iter().map(|ball| ball.id.clone()).collect(),
             cushion_ids: cushion_ids(&table),
@@ -110,7 +111,8 @@ impl<S: Scalar> System<S> {
 }
 
 fn flight<S: Scalar>(start: &BallStart<S>, field: Vec2<S>) -> Flight<S> {
-    Flight { start: S::ZERO, position: start.position, velocity: start.velocity, acceleration: field }
+    let (position, velocity) = (start.position.plan(), start.velocity.plan());
+    Flight { start: S::ZERO, position, velocity, acceleration: field }
 }
 
 /// The laws of cushions: each cushion's own, or the one for all.
@@ -126,7 +128,7 @@ impl<S: Scalar> CushionLaws<S> {
         };
         Self {
             own: physics.cushions.iter().map(own).collect(),
-            for_all: cushion_law("physics.ball_cushion", &physics.ball_cushion, number),
+            for_all: cushion_law("physics.ball_cushion", physics.ball_cushion(), number),
         }
     }
 
@@ -158,6 +160,11 @@ pub(super) fn cushion_law<S: Scalar>(
             let factor = parameter("factor", *factor);
             ball_cushion::Law::Restitution(ball_cushion::Restitution { normal: factor, tangential: factor })
         }
+        // Laws of balls with spin, which a check refuses for discs.
+        schema::BallCushion::Frictional { .. }
+        | schema::BallCushion::Han2005 { .. }
+        | schema::BallCushion::Mathavan2010 { .. }
+        | schema::BallCushion::StrongeCompliant { .. } => ball_cushion::Law::ELASTIC,
     }
 }
 
@@ -168,12 +175,16 @@ pub(super) fn ball_ball_law<S: Scalar>(law: &schema::BallBall, number: Number<'_
         schema::BallBall::Restitution { normal } => ball_ball::Law::Restitution(ball_ball::Restitution {
             normal: number(&"physics.ball_ball.normal", *normal),
         }),
+        // Laws of balls with spin, which a check refuses for discs.
+        schema::BallBall::Frictional { .. } | schema::BallBall::Mathavan2014 { .. } => {
+            ball_ball::Law::ELASTIC
+        }
     }
 }
 
 fn field<S: Scalar>(flight: &schema::Flight, number: Number<'_, S>) -> Vec2<S> {
     match flight {
-        schema::Flight::Free => Vec2::ZERO,
+        schema::Flight::Free | schema::Flight::Cloth { .. } => Vec2::ZERO,
         schema::Flight::Field { acceleration: [x, y] } => {
             let x = number(&"physics.flight.acceleration[0]", *x);
             Vec2::new(x, number(&"physics.flight.acceleration[1]", *y))
