@@ -71,7 +71,8 @@ impl Scenario {
 
     /// The balls as JSON text, with radius, mass and velocity filled in.
     fn balls(&self) -> String {
-        let system = System::<f64>::new(&self.0);
+        let scenario = self.0.expanded();
+        let system = System::<f64>::new(&scenario);
         let ball = |(k, ball): (usize, &scenario::schema::Ball)| {
             let (disc, flight) = (&system.discs[k], &system.flights[k]);
             json!({
@@ -80,10 +81,10 @@ impl Scenario {
                 "mass": disc.mass,
                 "position": [flight.position.x, flight.position.y],
                 "velocity": [flight.velocity.x, flight.velocity.y],
-                "color": ball.color.as_ref().or(self.0.ball_defaults.color.as_ref()),
+                "color": ball.color.as_ref().or(scenario.ball_defaults.color.as_ref()),
             })
         };
-        self.0.balls.iter().enumerate().map(ball).collect::<Value>().to_string()
+        scenario.balls.iter().enumerate().map(ball).collect::<Value>().to_string()
     }
 
     /// Runs the scenario to its end, without the interpreter's lock.

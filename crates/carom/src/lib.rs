@@ -6,6 +6,7 @@ pub mod flight;
 pub mod geometry;
 pub mod law;
 pub mod model;
+pub mod random;
 pub mod roots;
 pub mod run;
 pub mod scalar;

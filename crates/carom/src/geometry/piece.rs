@@ -66,6 +66,12 @@ impl<S: Scalar> Arc<S> {
         }
     }
 
+    /// The same arc from its last point to its first.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self { from: self.to, to: self.from, counter_clockwise: !self.counter_clockwise, ..*self }
+    }
+
     /// Whether the arc is a full circle, which has no end points.
     pub fn is_full_circle(&self) -> bool {
         self.sweep_deg >= 360.0

@@ -5,6 +5,7 @@
 //! | rectangle | `bottom`, `right`, `top`, `left` (counter-clockwise from the origin) |
 //! | circle | `rim` |
 //! | path | its pieces |
+//! | pocket table | six rails, and jaws, facings and backs: see `pocket_table.rs` |
 //! | obstacle `id` that is a circle | `id` |
 //! | obstacle `id` that is a path | `id.<piece>` |
 //! | obstacle `id` that is a wall | `id.a` (left of its direction), `id.b` (right of it) |
@@ -12,6 +13,7 @@
 //! Obstacle number k is `obstacle<k>` if it has no id of its own. A corner is named after the two cushions that meet
 //! there, in the order of the boundary: `id.a/id.b` is the last point of a wall.
 
+use super::pocket::{Nose, Pocket};
 use crate::geometry::{Arc, Bounds, Piece, Segment, Vec2, turn};
 use crate::scalar::Scalar;
 
@@ -73,10 +75,14 @@ pub struct Table<S> {
     pub corners: Vec<Corner<S>>,
     /// The box around the boundary.
     pub bounds: Bounds<S>,
+    /// The holes that balls fall into.
+    pub pockets: Vec<Pocket<S>>,
+    /// The noses of the cushions.
+    pub nose: Nose<S>,
 }
 
 impl<S: Scalar> Table<S> {
-    /// The table inside a boundary, with obstacles; ends within [`JOINT_TOLERANCE`] become one point.
+    /// The table inside a boundary, with obstacles and without pockets; ends within [`JOINT_TOLERANCE`] become one point.
     pub fn new(boundary: Vec<Cushion<S>>, obstacles: Vec<Outline<S>>) -> Self {
         let mut outlines =
             vec![Outline { kind: OutlineKind::Boundary, id: "boundary".into(), cushions: boundary }];
@@ -87,7 +93,7 @@ impl<S: Scalar> Table<S> {
             join_ends(&mut outline.cushions, tolerance);
         }
         let corners = corners(&outlines, tolerance);
-        Self { outlines, corners, bounds }
+        Self { outlines, corners, bounds, pockets: Vec::new(), nose: Nose::LEVEL }
     }
 
     /// The larger side of the box around the table.

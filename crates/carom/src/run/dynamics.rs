@@ -154,7 +154,7 @@ impl<S: Scalar> Dynamics<S> for OnCloth {
     type Steps = NoSteps;
 
     fn system(scenario: &Scenario) -> ClothSystem<S> {
-        todo!("{scenario:?}")
+        ClothSystem::new(scenario)
     }
 
     fn ball_ids(system: &ClothSystem<S>) -> &[String] {

@@ -83,7 +83,7 @@ impl<S: Scalar, D: Dynamics<S>> Run<S, D> {
 
 fn references_of(cluster: Cluster) -> &'static [Reference] {
     match cluster {
-        Cluster::Reflections => cluster::reflections::REFERENCES,
+        Cluster::Reflections | Cluster::Hertz => cluster::reflections::REFERENCES,
         Cluster::Pairwise => cluster::pairwise::REFERENCES,
     }
 }

@@ -18,6 +18,11 @@ pub fn direction<S: Scalar>(degrees: S) -> (S, S) {
     }
 }
 
+/// The angle of the vector (x, y), in degrees from the x axis towards the y axis, above −180 and up to 180.
+pub fn angle_deg(x: f64, y: f64) -> f64 {
+    libm::atan2(y, x) * (180.0 / core::f64::consts::PI)
+}
+
 #[cfg(test)]
 mod tests {
     use super::direction;

@@ -1,10 +1,16 @@
 //! A checked scenario of balls on a cloth made ready to compute.
 
+use super::layout::Number;
 use super::schema::Cluster;
+use super::schema::{self, Scenario};
+use super::shot::{CueStart, ShotStart};
+use super::start::BallStart;
+use super::system::{CushionLaws, cushion_ids, faces};
 use crate::flight::Cloth;
 use crate::geometry::Vec3;
+use crate::law::coefficient::{IncidenceFriction, NormalRestitution, SlipFriction};
 use crate::law::{ball_ball, ball_cushion, cue_ball};
-use crate::model::{ContactTolerance, Face, Hole, Sphere, Twist};
+use crate::model::{ContactTolerance, Face, Hole, Nose, NoseContact, Sphere, Table, Twist};
 use crate::scalar::Scalar;
 
 /// Everything the engine needs, with every number in `S` and every name turned into an index.
@@ -80,4 +86,197 @@ impl<S: Scalar> ClothSystem<S> {
     pub fn height_energy(&self, sphere: &Sphere<S>, position: Vec3<S>) -> S {
         sphere.mass * self.cloth.gravity * (position.z - sphere.radius)
     }
+}
+
+impl<S: Scalar> ClothSystem<S> {
+    /// The system of a checked scenario of balls on a cloth.
+    pub fn new(scenario: &Scenario) -> Self {
+        Self::with(scenario, &mut |_, value| S::from_f64(value))
+    }
+
+    /// The system of a checked scenario, each of whose numbers enters through `number` with its place: so the derivative
+    /// of a run with respect to one number is had by making that one a variable.
+    pub fn with(scenario: &Scenario, number: Number<'_, S>) -> Self {
+        let scenario = &*scenario.expanded();
+        let table = scenario.table.layout(number);
+        let cloth = cloth(scenario.physics.flight(), number);
+        let starts: Vec<_> = (scenario.balls.iter().enumerate())
+            .map(|(k, ball)| ball.start(k, &scenario.ball_defaults, number))
+            .collect();
+        let spheres: Vec<_> = starts.iter().map(BallStart::sphere).collect();
+        let holes = table.pockets.iter().map(|pocket| Hole::new(pocket.center, pocket.radius)).collect();
+        Self {
+            stroke: stroke(scenario, number),
+            noses: spheres.iter().map(|sphere| nose_reach(sphere, &table.nose)).collect(),
+            cushion_laws: CushionLaws::new(&scenario.physics, &mut |place, law| {
+                cushion_law(place, law, number)
+            })
+            .of_table(&table),
+            ball_ball: ball_ball_law(scenario.physics.ball_ball(), number),
+            cluster: scenario.physics.cluster(),
+            kept_speeds: spheres
+                .iter()
+                .map(|sphere| fall(sphere, &cloth).1 * S::from_f64(KEPT_SPEED))
+                .collect(),
+            collapse_times: spheres.iter().map(|sphere| fall(sphere, &cloth).0 * S::from_f64(1e-3)).collect(),
+            tolerance: ContactTolerance::new(&table),
+            duration: scenario.duration.map(|value| number(&"duration", value)),
+            ball_ids: scenario.balls.iter().map(|ball| ball.id.clone()).collect(),
+            cushion_ids: place_ids(&table),
+            faces: faces(&table),
+            starts: starts.iter().map(|start| (start.position, start.twist())).collect(),
+            spheres,
+            holes,
+            cloth,
+        }
+    }
+}
+
+/// The part of the speed of a fall from a ball's height up to which contacts lose nothing.
+const KEPT_SPEED: f64 = 0.005;
+
+/// The time that a ball takes to fall by its own height, √(2·2R/g) less a factor √2, and the speed √(2gR) of a fall by its
+/// radius; infinite and zero without gravity.
+fn fall<S: Scalar>(sphere: &Sphere<S>, cloth: &Cloth<S>) -> (S, S) {
+    let two = S::from_f64(2.0);
+    let time = if cloth.gravity > S::ZERO { (two * sphere.radius / cloth.gravity).sqrt() } else { S::ZERO };
+    (time, (two * cloth.gravity * sphere.radius).sqrt())
+}
+
+fn cloth<S: Scalar>(flight: &schema::Flight, number: Number<'_, S>) -> Cloth<S> {
+    let mut parameter = |key: &str, value: f64| number(&format_args!("physics.flight.{key}"), value);
+    match flight {
+        schema::Flight::Cloth { gravity, restitution, friction, min_hop, air } => Cloth {
+            gravity: parameter("gravity", *gravity),
+            restitution: parameter("restitution", *restitution),
+            friction: friction.map(|friction| parameter("friction", friction)),
+            min_hop: parameter("min_hop", *min_hop),
+            has_air: *air,
+        },
+        // A checked scenario of this dynamics has a cloth; on nothing balls slide for ever.
+        schema::Flight::Free | schema::Flight::Field { .. } => {
+            Cloth { gravity: S::ZERO, restitution: S::ZERO, friction: None, min_hop: S::ZERO, has_air: false }
+        }
+    }
+}
+
+fn stroke<S: Scalar>(scenario: &Scenario, number: Number<'_, S>) -> Option<Stroke<S>> {
+    let ShotStart { ball, speed, direction, elevation, left, top } = scenario.shot_start(number)?;
+    let CueStart { mass, end_mass, restitution, miscue_offset, .. } = scenario.cue.start(number);
+    Some(Stroke {
+        ball,
+        cue: cue_ball::PointContact { mass, end_mass, restitution, miscue_offset },
+        strike: cue_ball::Strike { speed, direction, elevation, left, top },
+    })
+}
+
+/// How a ball on the cloth touches noses: where they are, or, in plan, at one radius.
+fn nose_reach<S: Scalar>(sphere: &Sphere<S>, nose: &Nose<S>) -> NoseReach<S> {
+    let height = nose.height.unwrap_or(sphere.radius);
+    let sin = (height - sphere.radius) / sphere.radius;
+    let cos = (S::ONE - sin.squared()).sqrt();
+    let reach = match nose.contact {
+        NoseContact::Nose => sphere.radius * cos,
+        NoseContact::Plan => sphere.radius,
+    };
+    NoseReach { height, reach, sin, cos }
+}
+
+fn cushion_law<S: Scalar>(
+    place: &str,
+    law: &schema::BallCushion,
+    number: Number<'_, S>,
+) -> ball_cushion::SphereLaw<S> {
+    use ball_cushion::{Frictional, Han2005, Mathavan2010, Restitution, SphereLaw, StrongeCompliant};
+    let mut at = |key: &str, value: f64| number(&format_args!("{place}.{key}"), value);
+    match law {
+        schema::BallCushion::Elastic => SphereLaw::ELASTIC,
+        schema::BallCushion::Restitution { normal, tangential } => SphereLaw::Restitution(Restitution {
+            normal: at("normal", *normal),
+            tangential: at("tangential", *tangential),
+        }),
+        schema::BallCushion::Damping { factor } => {
+            let factor = at("factor", *factor);
+            SphereLaw::Restitution(Restitution { normal: factor, tangential: factor })
+        }
+        schema::BallCushion::Frictional { normal, friction } => SphereLaw::Frictional(Frictional {
+            normal: restitution(normal, &mut at),
+            friction: incidence(friction, &mut at),
+        }),
+        schema::BallCushion::Han2005 { normal, friction } => SphereLaw::Han2005(Han2005 {
+            normal: restitution(normal, &mut at),
+            friction: incidence(friction, &mut at),
+        }),
+        schema::BallCushion::Mathavan2010 { normal, friction } => SphereLaw::Mathavan2010(Mathavan2010 {
+            normal: restitution(normal, &mut at),
+            friction: incidence(friction, &mut at),
+        }),
+        schema::BallCushion::StrongeCompliant { normal, friction, frequency_ratio } => {
+            SphereLaw::StrongeCompliant(StrongeCompliant {
+                normal: restitution(normal, &mut at),
+                friction: incidence(friction, &mut at),
+                frequency_ratio: at("frequency_ratio", *frequency_ratio),
+            })
+        }
+    }
+}
+
+type At<'a, S> = &'a mut dyn FnMut(&str, f64) -> S;
+
+fn restitution<S: Scalar>(normal: &schema::Rebound, at: At<'_, S>) -> NormalRestitution<S> {
+    match normal {
+        schema::Rebound::Constant(value) => NormalRestitution::Constant(at("normal", *value)),
+        schema::Rebound::BySpeed { by_speed: [c0, c1, c2], up_to } => NormalRestitution::BySpeed {
+            coefficients: [
+                at("normal.by_speed[0]", *c0),
+                at("normal.by_speed[1]", *c1),
+                at("normal.by_speed[2]", *c2),
+            ],
+            up_to: at("normal.up_to", *up_to),
+        },
+    }
+}
+
+fn incidence<S: Scalar>(friction: &schema::CushionFriction, at: At<'_, S>) -> IncidenceFriction<S> {
+    match friction {
+        schema::CushionFriction::Constant(value) => IncidenceFriction::Constant(at("friction", *value)),
+        schema::CushionFriction::ByIncidence { by_incidence: [c0, c1] } => IncidenceFriction::ByIncidence {
+            coefficients: [at("friction.by_incidence[0]", *c0), at("friction.by_incidence[1]", *c1)],
+        },
+    }
+}
+
+fn ball_ball_law<S: Scalar>(law: &schema::BallBall, number: Number<'_, S>) -> ball_ball::SphereLaw<S> {
+    use ball_ball::{Frictional, Mathavan2014, Restitution, SphereLaw};
+    let mut at = |key: &str, value: f64| number(&format_args!("physics.ball_ball.{key}"), value);
+    match law {
+        schema::BallBall::Elastic => SphereLaw::ELASTIC,
+        schema::BallBall::Restitution { normal } => {
+            SphereLaw::Restitution(Restitution { normal: at("normal", *normal) })
+        }
+        schema::BallBall::Frictional { normal, friction, cling } => SphereLaw::Frictional(Frictional {
+            normal: at("normal", *normal),
+            friction: slip(friction, &mut at),
+            cling: at("cling", *cling),
+        }),
+        schema::BallBall::Mathavan2014 { normal, friction } => SphereLaw::Mathavan2014(Mathavan2014 {
+            normal: at("normal", *normal),
+            friction: slip(friction, &mut at),
+        }),
+    }
+}
+
+fn slip<S: Scalar>(friction: &schema::SlipFriction, at: At<'_, S>) -> SlipFriction<S> {
+    match friction {
+        schema::SlipFriction::Constant(value) => SlipFriction::Constant(at("friction", *value)),
+        schema::SlipFriction::Falling { a, b, c } => {
+            SlipFriction::BySlip { a: at("friction.a", *a), b: at("friction.b", *b), c: at("friction.c", *c) }
+        }
+    }
+}
+
+fn place_ids<S: Scalar>(table: &Table<S>) -> Vec<String> {
+    let mut ids = cushion_ids(table);
+    ids.extend(table.pockets.iter().map(|pocket| pocket.id.clone()));
+    ids
 }

@@ -1,8 +1,8 @@
 //! From the table as written to the table as computed with.
 
-use super::schema::{ArcShape, Obstacle, Piece, Table};
+use super::schema::{ArcShape, MouthShape, NoseContact, Obstacle, Piece, PocketShape, Table};
 use crate::geometry::{self, Arc, Segment, Vec2};
-use crate::model::{self, Cushion, Outline, OutlineKind};
+use crate::model::{self, Cushion, Mouth, Nose, Outline, OutlineKind, Pocket, PocketTable};
 use crate::scalar::Scalar;
 use core::fmt::Display;
 
@@ -12,21 +12,58 @@ use core::fmt::Display;
 pub type Number<'a, S> = &'a mut dyn FnMut(&dyn Display, f64) -> S;
 
 impl Table {
-    /// The cushions, corners and outlines of this table.
+    /// The cushions, corners, outlines and pockets of this table.
     ///
     /// Nothing is checked here; a path that does not close gives a table that does not either.
     pub fn layout<S: Scalar>(&self, number: Number<'_, S>) -> model::Table<S> {
-        let boundary = match self {
+        let written = self.pockets().iter().enumerate().map(|(k, item)| pocket(k, item, number)).collect();
+        let (boundary, pockets) = match self {
             Table::Rectangle { width, length, .. } => {
                 let width = number(&"table.width", *width);
-                model::rectangle(width, number(&"table.length", *length))
+                (model::rectangle(width, number(&"table.length", *length)), written)
             }
-            Table::Circle { radius, .. } => model::circle(number(&"table.radius", *radius)),
-            Table::Path { pieces, .. } => cushions(pieces, "", &"table.pieces", number),
+            Table::Circle { radius, .. } => (model::circle(number(&"table.radius", *radius)), written),
+            Table::Path { pieces, .. } => (cushions(pieces, "", &"table.pieces", number), written),
+            Table::PocketTable { width, length, cushion_width, corner, side, .. } => PocketTable {
+                width: number(&"table.width", *width),
+                length: number(&"table.length", *length),
+                cushion_width: number(&"table.cushion_width", *cushion_width),
+                corner: mouth("corner", corner, number),
+                side: mouth("side", side, number),
+            }
+            .outline(),
+            Table::Preset(_) => return self.expanded().layout(number),
         };
         let obstacles =
             self.obstacles().iter().enumerate().map(|(k, item)| obstacle(k, item, number)).collect();
-        model::Table::new(boundary, obstacles)
+        let nose = self.nose(number);
+        model::Table { pockets, nose, ..model::Table::new(boundary, obstacles) }
+    }
+
+    fn nose<S: Scalar>(&self, number: Number<'_, S>) -> Nose<S> {
+        let height = self.nose_height().map(|height| number(&"table.nose_height", height));
+        let contact = match self.nose_contact().unwrap_or_default() {
+            NoseContact::Nose => model::NoseContact::Nose,
+            NoseContact::Plan => model::NoseContact::Plan,
+        };
+        Nose { height, contact }
+    }
+}
+
+fn pocket<S: Scalar>(index: usize, item: &PocketShape, number: Number<'_, S>) -> Pocket<S> {
+    let center = vector(&format_args!("table.pockets[{index}].center"), item.center, number);
+    let radius = number(&format_args!("table.pockets[{index}].radius"), item.radius);
+    Pocket { id: item.id.clone(), center, radius }
+}
+
+fn mouth<S: Scalar>(name: &str, item: &MouthShape, number: Number<'_, S>) -> Mouth<S> {
+    let mut part = |key: &str, value| number(&format_args!("table.{name}.{key}"), value);
+    Mouth {
+        width: part("width", item.width),
+        angle_deg: part("angle_deg", item.angle_deg),
+        depth: part("depth", item.depth),
+        radius: part("radius", item.radius),
+        jaw_radius: part("jaw_radius", item.jaw_radius),
     }
 }
 

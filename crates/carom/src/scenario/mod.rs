@@ -2,6 +2,8 @@
 
 mod check;
 mod cloth_system;
+mod equipment;
+mod expand;
 mod json;
 mod json_schema;
 mod layout;
@@ -9,7 +11,9 @@ mod nearest;
 mod parse;
 mod path;
 mod problem;
+mod rack;
 pub mod schema;
+mod shot;
 mod start;
 mod structure;
 mod system;
@@ -17,10 +21,12 @@ mod values;
 
 pub use check::LARGEST;
 pub use cloth_system::{ClothSystem, NoseReach, Stroke};
+pub use equipment::Equipment;
 pub use json_schema::json_schema;
 pub use layout::Number;
 pub use path::Key;
 pub use problem::{Problem, ScenarioError};
 pub use schema::Scenario;
+pub use shot::{CueStart, ShotStart};
 pub use start::BallStart;
 pub use system::System;

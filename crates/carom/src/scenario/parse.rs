@@ -1,9 +1,10 @@
 //! Scenario texts: TOML and JSON, read and written.
 
 use super::check::{Draft, check};
+use super::expand::with_rack;
 use super::json;
 use super::problem::{Findings, Problem, ScenarioError};
-use super::schema::{Ball, FORMAT, Scenario};
+use super::schema::{Ball, BallDefaults, Cue, FORMAT, Physics, Rack, Scenario, Shot, Table};
 use super::structure::check_structure;
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -30,7 +31,7 @@ impl Scenario {
         let usable = check_structure(value, &mut findings);
         match serde_path_to_error::deserialize(&usable) {
             Ok(scenario) => {
-                check(&Draft::of(&scenario), &mut findings);
+                check(&Draft::of(&scenario, &scenario.expanded()), &mut findings);
                 findings.into_result()?;
                 Ok(scenario)
             }
@@ -87,18 +88,29 @@ fn empty() -> Problem {
 
 /// Checks what can be read of a scenario that cannot be read as a whole.
 fn check_parts(usable: &Value, findings: &mut Findings) {
-    let table = part(usable.get("table"));
-    let physics = part(usable.get("physics")).unwrap_or_default();
+    let written: Option<Table> = part(usable.get("table"));
+    let preset = written.as_ref().and_then(Table::preset).map(|table| table.preset);
+    let table = written.as_ref().map(Table::expanded);
+    let physics = part(usable.get("physics")).unwrap_or_else(Physics::default).over(preset);
     let method = part(usable.get("method")).unwrap_or_default();
-    let ball_defaults = part(usable.get("ball_defaults")).unwrap_or_default();
+    let ball_defaults = part(usable.get("ball_defaults")).unwrap_or_else(BallDefaults::default).over(preset);
+    let rack: Option<Rack> = part(usable.get("rack"));
+    let shot: Option<Shot> = part(usable.get("shot"));
+    let cue = part(usable.get("cue")).unwrap_or_else(Cue::default).over(preset, shot.is_some());
     let balls = usable.get("balls").and_then(Value::as_array);
-    let balls: Vec<Option<Ball>> = balls.into_iter().flatten().map(|ball| part(Some(ball))).collect();
+    let written_balls: Vec<Option<Ball>> = balls.into_iter().flatten().map(|ball| part(Some(ball))).collect();
+    let balls = with_rack(&written_balls, rack.as_ref(), table.as_deref(), &ball_defaults, preset);
     let draft = Draft {
-        table: table.as_ref(),
+        written: written.as_ref(),
+        table: table.as_deref(),
         physics: &physics,
         method: &method,
         ball_defaults: &ball_defaults,
         balls: balls.iter().map(Option::as_ref).collect(),
+        written_balls: written_balls.len(),
+        rack: rack.as_ref(),
+        cue: &cue,
+        shot: shot.as_ref(),
         duration: part(usable.get("duration")),
         collisions: part(usable.get("collisions")),
         record: part(usable.get("record")).unwrap_or_default(),

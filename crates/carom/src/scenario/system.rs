@@ -10,7 +10,7 @@ use crate::law::{ball_ball, ball_cushion};
 use crate::model::{ContactTolerance, Disc, Face, Faces, Line, Table};
 use crate::scalar::Scalar;
 
-/// Everything the engine needs, with every number in `S` and every name turned into an index.
+/// Everything the engine needs of a run of discs, with every number in `S` and every name turned into an index.
 ///
 /// Cushions are numbered as the table has them, corners after them.
 #[derive(Clone, Debug)]
@@ -71,18 +71,16 @@ impl<S: Scalar> System<S> {
     /// # Ok::<(), String>(())
     /// ```
     pub fn with(scenario: &Scenario, number: Number<'_, S>) -> Self {
+        let scenario = &*scenario.expanded();
         let table = scenario.table.layout(number);
-        let laws = CushionLaws::new(&scenario.physics, number);
-        let corner_law = |corner: &crate::model::Corner<S>, cushions: &[ball_cushion::Law<S>]| {
-            laws.own(&corner.id).unwrap_or(cushions[corner.cushions[0]])
-        };
-        let mut cushion_laws: Vec<_> = table.cushions().map(|c| laws.of(&c.id)).collect();
-        cushion_laws.extend(table.corners.iter().map(|c| corner_law(c, &cushion_laws)).collect::<Vec<_>>());
-        let ball_ball = ball_ball_law(&scenario.physics.ball_ball, number);
+        let cushion_laws =
+            CushionLaws::new(&scenario.physics, &mut |place, law| cushion_law(place, law, number))
+                .of_table(&table);
+        let ball_ball = ball_ball_law(scenario.physics.ball_ball(), number);
         let faces = faces(&table);
         let tolerance = ContactTolerance::new(&table);
         let backs = backs(&faces, tolerance.of(S::ZERO));
-        let field = field(&scenario.physics.flight, number);
+        let field = field(scenario.physics.flight(), number);
         let starts: Vec<_> = (scenario.balls.iter().enumerate())
             .map(|(k, ball)| ball.start(k, &scenario.ball_defaults, number))
             .collect();
@@ -90,11 +88,11 @@ impl<S: Scalar> System<S> {
         let flights: Vec<_> = starts.iter().map(|start| flight(start, field)).collect();
         Self {
             collapse_times: collapse_times(&discs, &flights, field, table.size()),
-            collapse_is_elastic: scenario.physics.collapse == Collapse::Tc,
+            collapse_is_elastic: scenario.physics.collapse() == Collapse::Tc,
             has_backs: backs.iter().any(Option::is_some),
             is_lossless: ball_ball.is_lossless() && cushion_laws.iter().all(ball_cushion::Law::is_lossless),
             ball_ball,
-            cluster: scenario.physics.cluster,
+            cluster: scenario.physics.cluster(),
             duration: scenario.duration.map(|value| number(&"duration", value)),
             ball_ids: scenario.balls.iter().map(|ball| ball.id.clone()).collect(),
             cushion_ids: cushion_ids(&table),
@@ -110,32 +108,42 @@ impl<S: Scalar> System<S> {
 }
 
 fn flight<S: Scalar>(start: &BallStart<S>, field: Vec2<S>) -> Flight<S> {
-    Flight { start: S::ZERO, position: start.position, velocity: start.velocity, acceleration: field }
+    let (position, velocity) = (start.position.plan(), start.velocity.plan());
+    Flight { start: S::ZERO, position, velocity, acceleration: field }
 }
 
 /// The laws of cushions: each cushion's own, or the one for all.
-pub(super) struct CushionLaws<S> {
-    for_all: ball_cushion::Law<S>,
-    own: Vec<(String, ball_cushion::Law<S>)>,
+pub(super) struct CushionLaws<L> {
+    for_all: L,
+    own: Vec<(String, L)>,
 }
 
-impl<S: Scalar> CushionLaws<S> {
-    pub(super) fn new(physics: &schema::Physics, number: Number<'_, S>) -> Self {
-        let own = |(id, law): (&String, &schema::BallCushion)| {
-            (id.clone(), cushion_law(&format!("physics.cushions.{}", Key(id)), law, number))
-        };
-        Self {
-            own: physics.cushions.iter().map(own).collect(),
-            for_all: cushion_law("physics.ball_cushion", &physics.ball_cushion, number),
+impl<L: Copy> CushionLaws<L> {
+    /// The laws that `make` makes of what is written at a place.
+    pub(super) fn new(
+        physics: &schema::Physics,
+        make: &mut dyn FnMut(&str, &schema::BallCushion) -> L,
+    ) -> Self {
+        let own = physics
+            .cushions
+            .iter()
+            .map(|(id, law)| (id.clone(), make(&format!("physics.cushions.{}", Key(id)), law)));
+        Self { own: own.collect(), for_all: make("physics.ball_cushion", physics.ball_cushion()) }
+    }
+
+    /// The laws of a table's cushions, and after them those of its corners, which have that of the first of their two
+    /// cushions unless they have their own.
+    pub(super) fn of_table<S: Scalar>(&self, table: &Table<S>) -> Vec<L> {
+        let mut laws: Vec<L> =
+            table.cushions().map(|cushion| self.own(&cushion.id).unwrap_or(self.for_all)).collect();
+        for corner in &table.corners {
+            laws.push(self.own(&corner.id).unwrap_or(laws[corner.cushions[0]]));
         }
+        laws
     }
 
-    fn own(&self, id: &str) -> Option<ball_cushion::Law<S>> {
+    fn own(&self, id: &str) -> Option<L> {
         self.own.iter().find(|(own, _)| own == id).map(|(_, law)| *law)
-    }
-
-    fn of(&self, id: &str) -> ball_cushion::Law<S> {
-        self.own(id).unwrap_or(self.for_all)
     }
 }
 
@@ -158,6 +166,11 @@ pub(super) fn cushion_law<S: Scalar>(
             let factor = parameter("factor", *factor);
             ball_cushion::Law::Restitution(ball_cushion::Restitution { normal: factor, tangential: factor })
         }
+        // Laws of balls with spin, which a check refuses for discs.
+        schema::BallCushion::Frictional { .. }
+        | schema::BallCushion::Han2005 { .. }
+        | schema::BallCushion::Mathavan2010 { .. }
+        | schema::BallCushion::StrongeCompliant { .. } => ball_cushion::Law::ELASTIC,
     }
 }
 
@@ -168,12 +181,16 @@ pub(super) fn ball_ball_law<S: Scalar>(law: &schema::BallBall, number: Number<'_
         schema::BallBall::Restitution { normal } => ball_ball::Law::Restitution(ball_ball::Restitution {
             normal: number(&"physics.ball_ball.normal", *normal),
         }),
+        // Laws of balls with spin, which a check refuses for discs.
+        schema::BallBall::Frictional { .. } | schema::BallBall::Mathavan2014 { .. } => {
+            ball_ball::Law::ELASTIC
+        }
     }
 }
 
 fn field<S: Scalar>(flight: &schema::Flight, number: Number<'_, S>) -> Vec2<S> {
     match flight {
-        schema::Flight::Free => Vec2::ZERO,
+        schema::Flight::Free | schema::Flight::Cloth { .. } => Vec2::ZERO,
         schema::Flight::Field { acceleration: [x, y] } => {
             let x = number(&"physics.flight.acceleration[0]", *x);
             Vec2::new(x, number(&"physics.flight.acceleration[1]", *y))
@@ -181,12 +198,12 @@ fn field<S: Scalar>(flight: &schema::Flight, number: Number<'_, S>) -> Vec2<S> {
     }
 }
 
-fn faces<S: Scalar>(table: &Table<S>) -> Vec<Face<S>> {
+pub(super) fn faces<S: Scalar>(table: &Table<S>) -> Vec<Face<S>> {
     let corners = table.corners.iter().map(|corner| Face::corner(corner.point));
     table.cushions().map(|cushion| Face::of_piece(&cushion.piece)).chain(corners).collect()
 }
 
-fn cushion_ids<S: Scalar>(table: &Table<S>) -> Vec<String> {
+pub(super) fn cushion_ids<S: Scalar>(table: &Table<S>) -> Vec<String> {
     let corners = table.corners.iter().map(|corner| corner.id.clone());
     table.cushions().map(|cushion| cushion.id.clone()).chain(corners).collect()
 }

@@ -42,7 +42,8 @@ impl<S: Scalar> Discs<S> {
     /// Lets the cluster law act.
     fn resolve_normal(&mut self, bodies: &mut [Body<S>], touches: &mut [Touch<S>]) {
         let Passes { count, forced } = match self.system.cluster {
-            Cluster::Reflections => resolve_reflections(bodies, touches),
+            // A check keeps the springs of Hertz from discs.
+            Cluster::Reflections | Cluster::Hertz => resolve_reflections(bodies, touches),
             Cluster::Pairwise => resolve_pairwise(bodies, touches),
         };
         self.diagnostics.cluster_passes += u64::from(count);

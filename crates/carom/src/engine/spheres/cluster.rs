@@ -100,7 +100,7 @@ impl<S: Scalar> Spheres<S> {
         touches: &mut [Touch<S, Vec3<S>, SphereLaw<S>>],
     ) {
         let Passes { count, forced } = match self.system.cluster {
-            Cluster::Reflections => resolve_reflections(bodies, touches),
+            Cluster::Reflections | Cluster::Hertz => resolve_reflections(bodies, touches),
             Cluster::Pairwise => resolve_pairwise(bodies, touches),
         };
         self.diagnostics.cluster_passes += u64::from(count);

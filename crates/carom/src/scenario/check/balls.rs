@@ -11,29 +11,36 @@ pub(super) fn check_balls(draft: &Draft<'_>, findings: &mut Findings) {
     check_color(&"ball_defaults.color", draft.ball_defaults.color.as_ref(), findings);
     let mut places = BTreeMap::new();
     for (index, ball) in draft.balls() {
-        check_id(&format_args!("balls[{index}].id"), &ball.id, findings);
+        check_id(&draft.place(index, "id"), &ball.id, findings);
         if let Some(first) = places.get(ball.id.as_str()) {
-            findings.add(
-                format_args!("balls[{index}].id"),
-                format!("{:?} is the id of balls[{first}] already", ball.id),
-            );
+            findings
+                .add(draft.place(index, "id"), format!("{:?} is the id of balls[{first}] already", ball.id));
         } else {
             places.insert(ball.id.as_str(), index);
         }
         check_radius(draft, index, ball, findings);
+        check_position(draft, index, ball, findings);
         check_motion(index, ball, findings);
-        check_color(&format_args!("balls[{index}].color"), ball.color.as_ref(), findings);
+        check_color(&draft.place(index, "color"), ball.color.as_ref(), findings);
     }
 }
 
 fn check_radius(draft: &Draft<'_>, index: usize, ball: &Ball, findings: &mut Findings) {
     let given = ball.radius.or(draft.ball_defaults.radius).is_some();
-    let place = format!("balls[{index}].radius");
+    let place = draft.place(index, "radius");
     if !given && findings.is_sound(&place) && findings.is_sound("ball_defaults") {
         findings.add(
             place,
             format!("missing: give ball {:?} a radius here, or all balls in ball_defaults.radius", ball.id),
         );
+    }
+}
+
+fn check_position(draft: &Draft<'_>, index: usize, ball: &Ball, findings: &mut Findings) {
+    let place = draft.place(index, "position");
+    if ball.position.is_none() && findings.is_sound(&place) && findings.is_sound("rack") {
+        let rack = if draft.rack.is_some() { "; the rack has no such ball" } else { "" };
+        findings.add(place, format!("missing: give ball {:?} a position, [x, y]{rack}", ball.id));
     }
 }
 

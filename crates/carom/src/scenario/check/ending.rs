@@ -24,9 +24,13 @@ pub(super) fn check_ending(draft: &Draft<'_>, table: Option<&Table<f64>>, findin
 
 /// Why not everything comes to rest, if it does not.
 fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
-    let field = match draft.physics.flight {
+    let field = match draft.physics.flight() {
         Flight::Free => Vec2::ZERO,
-        Flight::Field { acceleration } => Vec2::from_f64(acceleration),
+        Flight::Field { acceleration } => Vec2::from_f64(*acceleration),
+        Flight::Cloth { restitution, air, .. } => {
+            let bounces = *air && *restitution == 1.0;
+            return bounces.then(|| "the cloth gives all the speed of a fall back".into());
+        }
     };
     if field != Vec2::ZERO {
         return elastic_floor(draft.physics, table, field).map(|id| {
@@ -37,7 +41,7 @@ fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
         return None;
     }
     let is_moving = |(index, ball): &(usize, &Ball)| {
-        ball.start(*index, draft.ball_defaults, &mut |_, value| value).velocity != Vec2::ZERO
+        ball.start(*index, draft.ball_defaults, &mut |_, value| value).velocity.plan() != Vec2::ZERO
     };
     let (_, ball) = draft.balls().find(is_moving)?;
     Some(format!("no field pulls ball {:?} onto a cushion that would hold it", ball.id))

@@ -6,8 +6,8 @@
 
 use super::{Draft, Findings};
 use crate::model::Table;
-use crate::scenario::schema::Flight;
-use crate::scenario::system::{CushionLaws, ball_ball_law};
+use crate::scenario::path::Key;
+use crate::scenario::schema::{Ball, Flight, Physics, Shot, Vector};
 use core::fmt::Display;
 
 /// The largest number that a run computes with; times end here too.
@@ -31,29 +31,71 @@ pub(super) fn check_magnitudes(draft: &Draft<'_>, findings: &mut Findings) {
     if let Some(duration) = draft.duration {
         check_large(&"duration", duration, findings);
     }
-    if let Flight::Field { acceleration } = draft.physics.flight {
-        check_vector(&"physics.flight.acceleration", acceleration, findings);
-    }
-    let mut parameter = |place: &dyn Display, value: f64| {
-        check_size(place, Some(value), findings);
-        value
-    };
-    ball_ball_law(&draft.physics.ball_ball, &mut parameter);
-    CushionLaws::new(draft.physics, &mut parameter);
+    check_physics(draft.physics, findings);
     let defaults = draft.ball_defaults;
     for (key, value) in [("radius", defaults.radius), ("mass", defaults.mass)] {
         check_size(&format_args!("ball_defaults.{key}"), value, findings);
     }
+    let frictions = [defaults.sliding_friction, defaults.rolling_friction, defaults.spin_decay];
+    for (key, value) in FRICTIONS.into_iter().zip(frictions) {
+        check_size(&format_args!("ball_defaults.{key}"), value, findings);
+    }
     for (index, ball) in draft.balls() {
-        for (key, value) in [("radius", ball.radius), ("mass", ball.mass), ("speed", ball.speed)] {
-            check_size(&format_args!("balls[{index}].{key}"), value, findings);
+        check_ball(draft, index, ball, findings);
+    }
+    for (key, value) in draft.cue.numbers() {
+        check_size(&format_args!("cue.{key}"), Some(value), findings);
+    }
+    if let Some((key, speed)) = draft.shot.and_then(Shot::speed) {
+        check_size(&format_args!("shot.{key}"), Some(speed), findings);
+    }
+}
+
+/// The keys by which a ball rubs on the cloth.
+const FRICTIONS: [&str; 3] = ["sliding_friction", "rolling_friction", "spin_decay"];
+
+fn check_physics(physics: &Physics, findings: &mut Findings) {
+    match physics.flight() {
+        Flight::Free => {}
+        Flight::Field { acceleration } => {
+            check_vector(&"physics.flight.acceleration", acceleration.iter().copied(), findings);
         }
-        for (axis, value) in ball.position.into_iter().enumerate() {
-            check_large(&format_args!("balls[{index}].position[{axis}]"), value, findings);
+        Flight::Cloth { gravity, friction, min_hop, .. } => {
+            for (key, value) in
+                [("gravity", Some(*gravity)), ("friction", *friction), ("min_hop", Some(*min_hop))]
+            {
+                check_size(&format_args!("physics.flight.{key}"), value, findings);
+            }
         }
-        if let Some(velocity) = ball.velocity {
-            check_vector(&format_args!("balls[{index}].velocity"), velocity, findings);
+    }
+    for (key, value) in physics.ball_ball().numbers() {
+        check_size(&format_args!("physics.ball_ball.{key}"), Some(value), findings);
+    }
+    for (key, value) in physics.ball_cushion().numbers() {
+        check_size(&format_args!("physics.ball_cushion.{key}"), Some(value), findings);
+    }
+    for (id, law) in &physics.cushions {
+        for (key, value) in law.numbers() {
+            check_size(&format_args!("physics.cushions.{}.{key}", Key(id)), Some(value), findings);
         }
+    }
+}
+
+fn check_ball(draft: &Draft<'_>, index: usize, ball: &Ball, findings: &mut Findings) {
+    let sizes = [("radius", ball.radius), ("mass", ball.mass), ("speed", ball.speed)];
+    let frictions = [ball.sliding_friction, ball.rolling_friction, ball.spin_decay];
+    for (key, value) in sizes.into_iter().chain(FRICTIONS.into_iter().zip(frictions)) {
+        check_size(&draft.place(index, key), value, findings);
+    }
+    let position = ball.position.iter().flat_map(Vector::components);
+    for (axis, value) in position.enumerate() {
+        check_large(&draft.place(index, &format!("position[{axis}]")), value, findings);
+    }
+    if let Some(velocity) = ball.velocity {
+        check_vector(&draft.place(index, "velocity"), velocity.components(), findings);
+    }
+    if let Some(spin) = ball.spin {
+        check_vector(&draft.place(index, "spin"), spin.into_iter(), findings);
     }
 }
 
@@ -82,7 +124,7 @@ pub(super) fn check_proportions(draft: &Draft<'_>, table: &Table<f64>, findings:
     };
     check_radius(&"ball_defaults.radius", draft.ball_defaults.radius);
     for (index, ball) in draft.balls() {
-        check_radius(&format_args!("balls[{index}].radius"), ball.radius);
+        check_radius(&draft.place(index, "radius"), ball.radius);
     }
 }
 
@@ -92,16 +134,16 @@ fn check_number(place: &dyn Display, value: f64, findings: &mut Findings) {
     if text.ends_with("_deg") {
         return;
     }
-    if ["radius", "width", "length"].iter().any(|size| text.ends_with(size)) {
+    if ["radius", "width", "length", "height"].iter().any(|size| text.ends_with(size)) {
         check_size(place, Some(value), findings);
     } else {
         check_large(place, value, findings);
     }
 }
 
-fn check_vector(place: &dyn Display, value: [f64; 2], findings: &mut Findings) {
-    let [x, y] = value.map(f64::abs);
-    check_size(place, Some(if x > y { x } else { y }), findings);
+fn check_vector(place: &dyn Display, value: impl Iterator<Item = f64>, findings: &mut Findings) {
+    let largest = value.map(f64::abs).fold(0.0, |most, part| if part > most { part } else { most });
+    check_size(place, Some(largest), findings);
 }
 
 fn check_size(place: &dyn Display, value: Option<f64>, findings: &mut Findings) {

@@ -5,43 +5,59 @@
 
 mod balls;
 mod boundary;
+mod cloth;
 mod ending;
 mod ids;
 mod laws;
 mod magnitude;
 mod placement;
+mod pockets;
+mod rack;
+mod shot;
 mod stepped;
 
 pub use magnitude::LARGEST;
 
 use super::problem::Findings;
-use super::schema::{Ball, BallDefaults, Method, Physics, Record, Scenario, Table};
+use super::schema::{Ball, BallDefaults, Cue, Method, Physics, Rack, Record, Scenario, Shot, Table};
 use core::fmt;
 
-/// What could be read of a scenario.
+/// What could be read of a scenario, with its preset and its rack turned into plain keys.
 pub(crate) struct Draft<'a> {
+    /// The table as it is written.
+    pub written: Option<&'a Table>,
     pub table: Option<&'a Table>,
     pub physics: &'a Physics,
     pub method: &'a Method,
     pub ball_defaults: &'a BallDefaults,
+    /// The balls: first those that are written, so many of them, then those of the rack.
     pub balls: Vec<Option<&'a Ball>>,
+    pub written_balls: usize,
+    pub rack: Option<&'a Rack>,
+    pub cue: &'a Cue,
+    pub shot: Option<&'a Shot>,
     pub duration: Option<f64>,
     pub collisions: Option<u64>,
     pub record: Record,
 }
 
 impl<'a> Draft<'a> {
-    /// All of a scenario.
-    pub fn of(scenario: &'a Scenario) -> Self {
+    /// All of a scenario, and the same one expanded.
+    pub fn of(written: &'a Scenario, expanded: &'a Scenario) -> Self {
         Self {
-            table: Some(&scenario.table),
-            physics: &scenario.physics,
-            method: &scenario.method,
-            ball_defaults: &scenario.ball_defaults,
-            balls: scenario.balls.iter().map(Some).collect(),
-            duration: scenario.duration,
-            collisions: scenario.collisions,
-            record: scenario.record,
+            written: Some(&written.table),
+            table: Some(&expanded.table),
+            physics: &expanded.physics,
+            method: &expanded.method,
+            ball_defaults: &expanded.ball_defaults,
+            balls: expanded.balls.iter().map(Some).collect(),
+            written_balls: written.balls.len(),
+            rack: written.rack.as_ref(),
+            cue: &expanded.cue,
+            shot: expanded.shot.as_ref(),
+            duration: expanded.duration,
+            collisions: expanded.collisions,
+            record: expanded.record,
         }
     }
 
@@ -49,16 +65,26 @@ impl<'a> Draft<'a> {
     fn balls(&self) -> impl Iterator<Item = (usize, &'a Ball)> {
         self.balls.iter().enumerate().filter_map(|(index, ball)| Some((index, (*ball)?)))
     }
+
+    /// Where a key of a ball is written, or else the rack that the ball is from.
+    fn place(&self, index: usize, key: &str) -> String {
+        if index < self.written_balls { format!("balls[{index}].{key}") } else { "rack".into() }
+    }
 }
 
 /// Notes everything that is wrong with a scenario whose structure has been checked.
 pub(crate) fn check(draft: &Draft<'_>, findings: &mut Findings) {
     magnitude::check_magnitudes(draft, findings);
+    rack::check_rack(draft, findings);
     balls::check_balls(draft, findings);
+    cloth::check_cloth(draft, findings);
+    laws::check_parameters(draft.physics, findings);
+    shot::check_shot(draft, findings);
     let table = draft.table.map(|table| (table, table.layout(&mut |_, value| value)));
     if let Some((written, table)) = &table {
         ids::check_cushion_ids(written, table, findings);
         laws::check_laws(draft.physics, table, findings);
+        pockets::check_pockets(draft, table, findings);
         boundary::check_boundary(written, table, findings);
         if findings.is_sound("table") {
             magnitude::check_proportions(draft, table, findings);

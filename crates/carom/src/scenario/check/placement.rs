@@ -1,8 +1,9 @@
 //! Where the balls are: inside the table, outside the obstacles, and not in each other.
 
 use super::{Draft, Findings, Rounded};
-use crate::geometry::{Piece, Vec2, signed_distance};
+use crate::geometry::{Piece, Vec2, Vec3, signed_distance};
 use crate::model::{ContactTolerance, Outline, OutlineKind, Table};
+use crate::scenario::start::BallStart;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// So many overlapping pairs are named, and no more sought.
@@ -10,15 +11,19 @@ const MOST_OVERLAPS: usize = 1000;
 
 /// A ball as far as its place is concerned.
 struct Disc<'a> {
-    index: usize,
+    place: String,
     id: &'a str,
     radius: f64,
     center: Vec2<f64>,
+    /// The height of its centre; of discs, which lie in one plane, zero.
+    height: f64,
+    /// How near its centre may come to the noses of cushions, seen from above.
+    reach: f64,
 }
 
 /// Notes balls outside the table or in an obstacle, and balls that overlap.
 pub(super) fn check_placement(draft: &Draft<'_>, table: &Table<f64>, findings: &mut Findings) {
-    let discs = discs(draft, findings);
+    let discs = discs(draft, table, findings);
     let tolerance = ContactTolerance::new(table);
     let outlines: Vec<(&Outline<f64>, Vec<Piece<f64>>)> = table
         .outlines
@@ -28,24 +33,31 @@ pub(super) fn check_placement(draft: &Draft<'_>, table: &Table<f64>, findings: &
     for disc in &discs {
         for (outline, pieces) in &outlines {
             if let Some(message) = intrusion(disc, outline, pieces, tolerance) {
-                findings.add(format_args!("balls[{}].position", disc.index), message);
+                findings.add(&disc.place, message);
             }
+        }
+        if let Some(pocket) = table.pockets.iter().find(|pocket| pocket.has_inside(disc.center)) {
+            findings.add(&disc.place, format!("ball {:?} lies over pocket {:?}", disc.id, pocket.id));
         }
     }
     check_overlaps(&discs, tolerance, findings);
 }
 
 /// The balls whose place and radius are sound.
-fn discs<'a>(draft: &Draft<'a>, findings: &Findings) -> Vec<Disc<'a>> {
+fn discs<'a>(draft: &Draft<'a>, table: &Table<f64>, findings: &Findings) -> Vec<Disc<'a>> {
     let is_sound = |index: usize, own_radius: bool| {
-        let key = |key: &str| findings.is_sound(format_args!("balls[{index}].{key}"));
+        let key = |key: &str| findings.is_sound(draft.place(index, key));
         key("position") && key("radius") && (own_radius || findings.is_sound("ball_defaults.radius"))
     };
     let sound = draft.balls().filter(|(index, ball)| is_sound(*index, ball.radius.is_some()));
     sound
         .map(|(index, ball)| {
-            let start = ball.start(index, draft.ball_defaults, &mut |_, value| value);
-            Disc { index, id: &ball.id, radius: start.radius, center: start.position }
+            let BallStart { radius, position, .. } =
+                ball.start(index, draft.ball_defaults, &mut |_, value| value);
+            let place = draft.place(index, "position");
+            let reach = table.nose.reach(radius, position.z);
+            let height = if draft.physics.has_cloth() { position.z } else { 0.0 };
+            Disc { place, id: &ball.id, radius, center: position.plan(), height, reach }
         })
         .collect()
 }
@@ -66,7 +78,7 @@ fn intrusion(
     }
     let mut cut = Vec::new();
     for cushion in &outline.cushions {
-        let depth = disc.radius - cushion.piece.foot(disc.center).distance;
+        let depth = disc.reach - cushion.piece.foot(disc.center).distance;
         if depth > tolerance {
             cut.push(format!("cushion {:?} by {}", cushion.id, Rounded(depth)));
         }
@@ -74,7 +86,7 @@ fn intrusion(
     if !cut.is_empty() {
         return Some(format!("ball {:?} reaches past {}", disc.id, cut.join(" and ")));
     }
-    let fills = outline.cushions.iter().find(|cushion| is_filled(&cushion.piece, disc.radius, tolerance))?;
+    let fills = outline.cushions.iter().find(|cushion| is_filled(&cushion.piece, disc.reach, tolerance))?;
     Some(format!(
         "ball {:?} is as wide as round cushion {:?}, and would have no room in it",
         disc.id, fills.id
@@ -108,7 +120,7 @@ fn check_overlaps(discs: &[Disc<'_>], tolerance: ContactTolerance<f64>, findings
         for other in neighbours(own).iter().filter_map(|key| cells.get(key)).flatten() {
             let Some(depth) = overlap(other, disc, tolerance) else { continue };
             let message = format!("ball {:?} overlaps ball {:?} by {}", disc.id, other.id, Rounded(depth));
-            findings.add(format_args!("balls[{}].position", disc.index), message);
+            findings.add(&disc.place, message);
             found += 1;
             if found == MOST_OVERLAPS {
                 return findings.note("balls", format!("{found} pairs overlap, and perhaps more"));
@@ -128,6 +140,7 @@ fn neighbours([column, row]: [f64; 2]) -> BTreeSet<[i64; 2]> {
 /// How deep two balls overlap, where it is more than contact; two points never do.
 fn overlap(a: &Disc<'_>, b: &Disc<'_>, tolerance: ContactTolerance<f64>) -> Option<f64> {
     let radii = a.radius + b.radius;
-    let depth = radii - (a.center - b.center).norm();
+    let apart = Vec3::above(a.center - b.center, a.height - b.height).norm();
+    let depth = radii - apart;
     (radii > 0.0 && depth > tolerance.of(radii)).then_some(depth)
 }

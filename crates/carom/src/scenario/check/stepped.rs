@@ -55,10 +55,12 @@ fn reasons(draft: &Draft<'_>) -> Vec<&'static str> {
             reasons.push("knows no obstacles");
         }
     }
-    if draft.physics.flight != Flight::Free {
-        reasons.push("knows no field");
+    match draft.physics.flight() {
+        Flight::Free => {}
+        Flight::Field { .. } => reasons.push("knows no field"),
+        Flight::Cloth { .. } => reasons.push("knows no cloth"),
     }
-    if draft.physics.ball_ball != BallBall::Elastic {
+    if draft.physics.ball_ball() != &BallBall::Elastic {
         reasons.push("knows only elastic collisions of balls");
     }
     reasons

@@ -1,6 +1,6 @@
 //! `[[balls]]` and `[ball_defaults]`.
 
-use super::Color;
+use super::{Color, Vector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -16,6 +16,18 @@ pub struct BallDefaults {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub mass: Option<f64>,
+    /// Coefficient of sliding friction with the cloth; positive; absent: 0.2.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub sliding_friction: Option<f64>,
+    /// Coefficient of rolling friction with the cloth; positive; absent: 0.01.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub rolling_friction: Option<f64>,
+    /// Rate at which the cloth slows the spin about the vertical, in radians per time squared; positive; absent: 10.9.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub spin_decay: Option<f64>,
     /// Colour in figures and films.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub color: Option<Color>,
@@ -36,11 +48,28 @@ pub struct Ball {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub mass: Option<f64>,
-    /// Centre [x, y] at time 0, in length.
-    pub position: [f64; 2],
-    /// Velocity [x, y] at time 0, in length per time; absent: at rest, unless `speed` is given.
+    /// Coefficient of sliding friction with the cloth; positive; absent: that of `ball_defaults`, or 0.2.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub velocity: Option<[f64; 2]>,
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub sliding_friction: Option<f64>,
+    /// Coefficient of rolling friction with the cloth; positive; absent: that of `ball_defaults`, or 0.01.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub rolling_friction: Option<f64>,
+    /// Rate at which the cloth slows the spin about the vertical, in radians per time squared; positive; absent: that of `ball_defaults`, or 10.9.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub spin_decay: Option<f64>,
+    /// Centre [x, y] at time 0, in length; over a cloth [x, y, z], with the height of the centre. To be left out only by a
+    /// ball of the rack.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub position: Option<Vector>,
+    /// Velocity [x, y] at time 0, in length per time; over a cloth [x, y, z] too; absent: at rest, unless `speed` is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub velocity: Option<Vector>,
+    /// Angular velocity [x, y, z] at time 0, in radians per time, by the right-hand rule; absent: none. On a cloth only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub spin: Option<[f64; 3]>,
     /// Speed at time 0, in length per time, zero or positive; together with `direction_deg`, in place of `velocity`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.0))]

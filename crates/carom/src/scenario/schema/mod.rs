@@ -5,15 +5,28 @@
 
 mod balls;
 mod color;
+mod cue;
 mod method;
 mod physics;
+mod preset;
+mod rack;
 mod table;
+mod vector;
 
 pub use balls::{Ball, BallDefaults};
 pub use color::{COLOR_NAMES, Color};
+pub use cue::{Cue, OffsetOf, Shot};
 pub use method::{AfterHit, LastStep, Method, NormalTaken};
-pub use physics::{BallBall, BallCushion, Cluster, Collapse, Flight, Physics};
-pub use table::{ArcShape, CircleShape, Obstacle, Piece, Table};
+pub use physics::{
+    BallBall, BallCushion, Cluster, Collapse, CushionFriction, Flight, Physics, Rebound, SlipFriction,
+};
+pub use preset::Preset;
+pub use rack::{Game, Rack};
+pub use table::{
+    ArcShape, CircleShape, MouthChange, MouthShape, NoseContact, Obstacle, Piece, PocketShape, PresetTable,
+    Table,
+};
+pub use vector::Vector;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -62,9 +75,19 @@ pub struct Scenario {
     /// What balls have that do not say it themselves.
     #[serde(default, skip_serializing_if = "is_default")]
     pub ball_defaults: BallDefaults,
-    /// The balls; at least one.
+    /// Balls set up for a game; absent: none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rack: Option<Rack>,
+    /// The balls; at least one, unless there is a rack.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(min = 1))]
     pub balls: Vec<Ball>,
+    /// The cue.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub cue: Cue,
+    /// A stroke of the cue at time 0; absent: none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shot: Option<Shot>,
     /// Names of the units, for labels of axes and columns and nothing else.
     #[serde(default, skip_serializing_if = "is_default")]
     pub units: Units,
