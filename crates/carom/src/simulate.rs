@@ -1,5 +1,6 @@
 //! From a scenario to a run, by the method that the scenario names.
 
+mod any;
 mod verify;
 
 use crate::engine::{Discs, Engine, Limits, Simulation, Spheres};
@@ -7,6 +8,7 @@ use crate::run::{Dynamics, Kind, Log, OnCloth, PHYSICS_VERSION, Plane, Run, Simu
 use crate::scenario::schema::{Method, Record};
 use crate::scenario::{Scenario, ScenarioError, System};
 use crate::stepped::{self, Ends, Readings};
+pub use any::{AnyRun, AnySimulation};
 use serde_json::Value;
 use std::sync::Arc;
 pub use verify::{Difference, verify};

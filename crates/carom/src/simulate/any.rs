@@ -1,0 +1,99 @@
+//! A run of whichever dynamics its scenario has, for callers who learn that from the scenario.
+
+use super::{SimulationOf, simulate_until, start};
+use crate::run::{Kind, Log, OnCloth, Plane, Run, RunFileError, SimulationError, from_json};
+use crate::scenario::Scenario;
+use serde_json::Value;
+
+/// A run of discs or of balls on a cloth.
+#[derive(Clone, Debug)]
+pub enum AnyRun {
+    /// Discs in the plane.
+    Plane(Box<Run<f64, Plane>>),
+    /// Balls on a cloth.
+    OnCloth(Box<Run<f64, OnCloth>>),
+}
+
+/// A run in progress of discs or of balls on a cloth, with its log.
+#[derive(Clone, Debug)]
+pub enum AnySimulation {
+    /// Discs in the plane.
+    Plane(Box<(SimulationOf<Plane>, Log<f64, Plane>)>),
+    /// Balls on a cloth.
+    OnCloth(Box<(SimulationOf<OnCloth>, Log<f64, OnCloth>)>),
+}
+
+/// Evaluates an expression with the run inside an [`AnyRun`], or what is inside an [`AnySimulation`], whichever it is.
+#[macro_export]
+macro_rules! with_any {
+    ($any:ty, $value:expr, $inner:ident => $body:expr) => {
+        match $value {
+            <$any>::Plane($inner) => $body,
+            <$any>::OnCloth($inner) => $body,
+        }
+    };
+}
+
+impl AnyRun {
+    /// Runs a checked scenario, as [`simulate_until`] does.
+    pub fn simulate(
+        scenario: &Scenario,
+        until: Option<Kind>,
+        interrupted: &mut dyn FnMut() -> bool,
+    ) -> Result<Self, SimulationError> {
+        Ok(if has_cloth(scenario) {
+            Self::OnCloth(Box::new(simulate_until(scenario, until, interrupted)?))
+        } else {
+            Self::Plane(Box::new(simulate_until(scenario, until, interrupted)?))
+        })
+    }
+
+    /// The run that a text holds, with its scenario.
+    pub fn from_json(text: &str) -> Result<(Scenario, Self), RunFileError> {
+        Ok(if is_on_cloth(text) {
+            let (scenario, run) = from_json(text)?;
+            (scenario, Self::OnCloth(Box::new(run)))
+        } else {
+            let (scenario, run) = from_json(text)?;
+            (scenario, Self::Plane(Box::new(run)))
+        })
+    }
+}
+
+impl From<Run<f64, Plane>> for AnyRun {
+    fn from(run: Run<f64, Plane>) -> Self {
+        Self::Plane(Box::new(run))
+    }
+}
+
+impl From<Run<f64, OnCloth>> for AnyRun {
+    fn from(run: Run<f64, OnCloth>) -> Self {
+        Self::OnCloth(Box::new(run))
+    }
+}
+
+impl AnySimulation {
+    /// A run at time zero.
+    pub fn start(scenario: &Scenario, until: Option<Kind>) -> Self {
+        if has_cloth(scenario) {
+            Self::OnCloth(Box::new(start(scenario, until)))
+        } else {
+            Self::Plane(Box::new(start(scenario, until)))
+        }
+    }
+}
+
+/// Whether a scenario is one of balls on a cloth.
+fn has_cloth(scenario: &Scenario) -> bool {
+    scenario.expanded().physics.has_cloth()
+}
+
+/// Whether a saved run is one of balls on a cloth. What cannot be told here is found out when the run is read.
+fn is_on_cloth(text: &str) -> bool {
+    #[derive(serde::Deserialize)]
+    struct Header {
+        scenario: Value,
+    }
+    let Ok(Header { scenario }) = serde_json::from_str(text) else { return false };
+    Scenario::from_json(&scenario.to_string()).is_ok_and(|scenario| has_cloth(&scenario))
+}
