@@ -1,7 +1,7 @@
 //! Events and steps as columns.
 
 use carom::flight::State;
-use carom::run::{Event, Step, Steps};
+use carom::run::{Event, Kind, Step, Steps};
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -14,7 +14,8 @@ pub fn event_columns<'py>(py: Python<'py>, events: &[Event<f64>]) -> PyResult<Bo
     columns.set_item("kind", column(py, events, |event| event.kind as i8))?;
     columns.set_item("ball_a", column(py, events, |event| event.ball_a as i32))?;
     columns.set_item("ball_b", column(py, events, |event| code(event.ball_b)))?;
-    columns.set_item("cushion", column(py, events, |event| code(event.cushion)))?;
+    columns
+        .set_item("cushion", column(py, events, |event| code(event.cushion.filter(|_| !is_pocket(event)))))?;
     columns.set_item("x", column(py, events, |event| event.point.x))?;
     columns.set_item("y", column(py, events, |event| event.point.y))?;
     columns.set_item("normal_x", column(py, events, |event| event.normal.x))?;
@@ -22,7 +23,14 @@ pub fn event_columns<'py>(py: Python<'py>, events: &[Event<f64>]) -> PyResult<Bo
     columns.set_item("closing_speed", column(py, events, |event| event.closing_speed))?;
     columns.set_item("impulse", column(py, events, |event| event.impulse))?;
     columns.set_item("cluster", column(py, events, |event| event.cluster.map_or(-1, i64::from)))?;
+    columns
+        .set_item("pocket", column(py, events, |event| code(event.cushion.filter(|_| is_pocket(event)))))?;
     Ok(columns)
+}
+
+/// Whether the place of an event is a pocket, which is numbered after cushions and corners.
+fn is_pocket(event: &Event<f64>) -> bool {
+    event.kind == Kind::BallPocket
 }
 
 /// The columns of a stepped run, (n_steps + 1, n_balls) where they depend on the ball.

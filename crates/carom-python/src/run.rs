@@ -4,39 +4,39 @@ use crate::columns::{event_columns, step_columns};
 use crate::errors::{file_error, problem, query_error, run_error, scenario_error, simulation_error};
 use crate::interrupt::interruptible;
 use crate::scenario::{Scenario, options};
-use crate::states::vectors;
-use carom::run::{self, Digest, Kind, PHYSICS_VERSION, QueryError};
+use crate::states::{Moving, vectors};
+use carom::run::{self, Digest, Kind, OnCloth, PHYSICS_VERSION, QueryError};
 use carom::scenario::Scenario as Checked;
-use carom::simulate;
-use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
+use carom::simulate::{self, AnyRun, Simulated};
+use carom::with_any;
+use numpy::{Element, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
 
 type States<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>);
+type Spins<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray2<i8>>);
 
 /// A computed run, with the scenario as it was run.
 #[pyclass(frozen, module = "carom._engine")]
 pub struct Run {
     scenario: Checked,
-    run: run::Run<f64>,
+    run: AnyRun,
 }
 
 impl Run {
-    pub fn new(scenario: Checked, run: run::Run<f64>) -> Self {
+    pub fn new(scenario: Checked, run: AnyRun) -> Self {
         Self { scenario, run }
     }
 
-    /// A quantity at each of some times, computed without the interpreter's lock.
-    fn at<T: Send>(
-        &self,
-        py: Python<'_>,
-        times: &PyReadonlyArray1<'_, f64>,
-        quantity: impl Fn(f64) -> Result<T, QueryError> + Send,
-    ) -> PyResult<Vec<T>> {
-        let times = times.as_array().to_vec();
-        py.detach(|| times.into_iter().map(quantity).collect::<Result<_, _>>())
-            .map_err(|error| query_error(&error))
+    /// The run of balls on a cloth.
+    fn on_cloth(&self, what: &str) -> PyResult<&run::Run<f64, OnCloth>> {
+        match &self.run {
+            AnyRun::OnCloth(run) => Ok(run),
+            AnyRun::Plane(_) => Err(run_error(&format!(
+                "discs have no {what}; balls have it in scenarios with physics.flight.law = \"cloth\""
+            ))),
+        }
     }
 }
 
@@ -45,37 +45,43 @@ impl Run {
     /// How the run ended.
     #[getter]
     fn status(&self) -> &'static str {
-        self.run.status.name()
+        with_any!(&self.run, run => run.status.name())
     }
 
     /// When the run ended.
     #[getter]
     fn end_time(&self) -> f64 {
-        self.run.end_time
+        with_any!(&self.run, run => run.end_time)
     }
 
     /// The hash over the final state; None where a number in it is NaN.
     #[getter]
     fn digest(&self) -> Option<String> {
-        self.run.digest().map(|digest: Digest| digest.state)
+        with_any!(&self.run, run => run.digest()).map(|digest: Digest| digest.state)
     }
 
     /// The version of the physics that it was made with.
     #[getter]
     fn physics_version(&self) -> u32 {
-        self.run.physics_version
+        with_any!(&self.run, run => run.physics_version)
+    }
+
+    /// Whether the balls roll and spin on a cloth.
+    #[getter]
+    fn is_on_cloth(&self) -> bool {
+        matches!(self.run, AnyRun::OnCloth(_))
     }
 
     /// The ids of the balls.
     #[getter]
     fn ball_ids(&self) -> Vec<String> {
-        self.run.system.ball_ids.clone()
+        with_any!(&self.run, run => run.system.ball_ids.clone())
     }
 
-    /// The ids of the cushions, and of the corners after them.
+    /// The ids of the cushions, of the corners after them, and of the pockets after those.
     #[getter]
     fn cushion_ids(&self) -> Vec<String> {
-        self.run.system.cushion_ids.clone()
+        with_any!(&self.run, run => run.system.cushion_ids.clone())
     }
 
     /// The scenario as it was run.
@@ -85,19 +91,35 @@ impl Run {
 
     /// The event columns; balls, cushions and kinds as codes, with −1 for none.
     fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        if !self.run.log.keeps_events {
-            return Err(run_error("the run kept no events; run with record = \"events\" or \"all\""));
-        }
-        event_columns(py, &self.run.log.events)
+        with_any!(&self.run, run => {
+            if !run.log.keeps_events {
+                return Err(run_error("the run kept no events; run with record = \"events\" or \"all\""));
+            }
+            event_columns(py, &run.log.events)
+        })
     }
 
-    /// Positions and velocities at some times, (n_times, n_balls, 2) each.
+    /// Positions and velocities at some times, (n_times, n_balls, 2) each; (..., 3) on a cloth, NaN for balls out of play.
     fn states<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<States<'py>> {
-        let states = self.at(py, &times, |time| self.run.state(time))?;
-        let shape = [states.len(), self.run.system.ball_ids.len(), 2];
-        let positions = PyArray1::from_vec(py, vectors(&states, |state| state.position));
-        let velocities = PyArray1::from_vec(py, vectors(&states, |state| state.velocity));
-        Ok((positions.reshape(shape)?, velocities.reshape(shape)?))
+        with_any!(&self.run, run => {
+            let states = at(py, &times, |time| run.state(time))?;
+            let positions = vectors(&states, Moving::position);
+            let velocities = vectors(&states, Moving::velocity);
+            let shape = shape(&states, run.balls.len(), &positions);
+            let array = |values| PyArray1::from_vec(py, values).reshape(shape);
+            Ok((array(positions)?, array(velocities)?))
+        })
+    }
+
+    /// Spins, (n_times, n_balls, 3), and codes of motions, (n_times, n_balls), at some times of a run on a cloth.
+    fn spins<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Spins<'py>> {
+        let run = self.on_cloth("spin and no motions")?;
+        let states = at(py, &times, |time| run.state(time))?;
+        let [count, balls] = [states.len(), run.balls.len()];
+        let spins = vectors(&states, Moving::spin);
+        let motions = states.iter().flatten().map(|state| state.motion as i8).collect();
+        let motions: Bound<'py, PyArray1<i8>> = PyArray1::from_vec(py, motions);
+        Ok((PyArray1::from_vec(py, spins).reshape([count, balls, 3])?, motions.reshape([count, balls])?))
     }
 
     /// The kinetic energy at some times.
@@ -106,34 +128,39 @@ impl Run {
         py: Python<'py>,
         times: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(PyArray1::from_vec(py, self.at(py, &times, |time| self.run.energy(time))?))
+        with_any!(&self.run, run => series(py, &times, |time| run.energy(time)))
     }
 
-    /// The potential energy in the field at some times.
+    /// The potential energy, in the field or of height, at some times.
     fn potential_energy<'py>(
         &self,
         py: Python<'py>,
         times: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(PyArray1::from_vec(py, self.at(py, &times, |time| self.run.potential_energy(time))?))
+        with_any!(&self.run, run => series(py, &times, |time| run.potential_energy(time)))
     }
 
-    /// The momentum at some times, (n_times, 2).
+    /// The momentum at some times, (n_times, 2); (n_times, 3) on a cloth.
     fn momentum<'py>(
         &self,
         py: Python<'py>,
         times: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let momenta = self.at(py, &times, |time| self.run.momentum(time))?;
-        let count = momenta.len();
-        let values = momenta.into_iter().flat_map(|momentum| [momentum.x, momentum.y]).collect();
-        PyArray1::from_vec(py, values).reshape([count, 2])
+        match &self.run {
+            AnyRun::Plane(run) => {
+                table(py, at(py, &times, |time| run.momentum(time))?.into_iter().map(|p| p.to_f64()))
+            }
+            AnyRun::OnCloth(run) => {
+                table(py, at(py, &times, |time| run.momentum(time))?.into_iter().map(|p| p.to_f64()))
+            }
+        }
     }
 
     /// The steps of a stepped run; None for an exact one.
     fn steps<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let Some(steps) = &self.run.steps else { return Ok(None) };
-        if !self.run.log.keeps_flights {
+        let AnyRun::Plane(run) = &self.run else { return Ok(None) };
+        let Some(steps) = &run.steps else { return Ok(None) };
+        if !run.log.keeps_flights {
             return Err(run_error("the run kept no steps; run with record = \"all\""));
         }
         step_columns(py, steps).map(Some)
@@ -141,12 +168,14 @@ impl Run {
 
     /// What the run found out about itself, as JSON text.
     fn diagnostics(&self) -> PyResult<String> {
-        let mut found =
-            serde_json::to_value(&self.run.diagnostics).map_err(|error| run_error(&error.to_string()))?;
-        let counts = Kind::ALL.iter().zip(self.run.diagnostics.events);
+        let diagnostics = with_any!(&self.run, run => &run.diagnostics);
+        let mut found = serde_json::to_value(diagnostics).map_err(|error| run_error(&error.to_string()))?;
+        let counts = Kind::ALL.iter().zip(diagnostics.events);
         found["events"] =
             counts.map(|(kind, count)| (kind.name().to_owned(), json!(count))).collect::<Value>();
-        if let Some(steps) = &self.run.steps {
+        if let AnyRun::Plane(run) = &self.run
+            && let Some(steps) = &run.steps
+        {
             found["lost_time"] = json!(steps.lost_time);
         }
         Ok(found.to_string())
@@ -154,12 +183,44 @@ impl Run {
 
     /// The sources of the laws that acted, as JSON text.
     fn references(&self) -> PyResult<String> {
-        serde_json::to_string(&self.run.references()).map_err(|error| run_error(&error.to_string()))
+        let references = with_any!(&self.run, run => run.references());
+        serde_json::to_string(&references).map_err(|error| run_error(&error.to_string()))
     }
 
     /// The one longer run, up to new limits.
     fn resume(&self, py: Python<'_>, options_json: &str) -> PyResult<Self> {
-        let version = self.run.physics_version;
+        with_any!(&self.run, run => self.resumed(py, run, options_json))
+    }
+
+    /// The run as JSON text.
+    fn to_json(&self) -> PyResult<String> {
+        with_any!(&self.run, run => run::to_json(&self.scenario, run)).map_err(file_error)
+    }
+
+    /// Reads what `to_json` wrote.
+    #[staticmethod]
+    fn from_json(text: &str) -> PyResult<Self> {
+        let (scenario, run) = AnyRun::from_json(text).map_err(file_error)?;
+        Ok(Self { scenario, run })
+    }
+
+    /// Computes the run again and gives the first difference, as JSON text.
+    fn verify(&self, py: Python<'_>) -> PyResult<String> {
+        with_any!(&self.run, run => self.verified(py, run))
+    }
+}
+
+impl Run {
+    fn resumed<D: Simulated>(
+        &self,
+        py: Python<'_>,
+        run: &run::Run<f64, D>,
+        options_json: &str,
+    ) -> PyResult<Self>
+    where
+        AnyRun: From<run::Run<f64, D>>,
+    {
+        let version = run.physics_version;
         if !simulate::is_same_physics(version) {
             return Err(run_error(&format!(
                 "the run was made with physics version {version}, and this is version {PHYSICS_VERSION}: run its scenario anew"
@@ -167,39 +228,58 @@ impl Run {
         }
         let (values, until) = options(options_json)?;
         let scenario = simulate::prolonged(&self.scenario, &values).map_err(scenario_error)?;
-        if scenario.duration.is_some_and(|end| end < self.run.end_time) {
-            return Err(problem("duration", &format!("the run has come to {:?} already", self.run.end_time)));
+        if scenario.duration.is_some_and(|end| end < run.end_time) {
+            return Err(problem("duration", &format!("the run has come to {:?} already", run.end_time)));
         }
-        let compute = |interrupted: &mut dyn FnMut() -> bool| {
-            simulate::resume(&scenario, &self.run, until, interrupted)
-        };
-        let run = interruptible(py, compute)?.map_err(|error| simulation_error(&error, &scenario))?;
-        Ok(Self::new(scenario, run))
-    }
-
-    /// The run as JSON text.
-    fn to_json(&self) -> PyResult<String> {
-        run::to_json(&self.scenario, &self.run).map_err(file_error)
-    }
-
-    /// Reads what `to_json` wrote.
-    #[staticmethod]
-    fn from_json(text: &str) -> PyResult<Self> {
-        let (scenario, run) = run::from_json(text).map_err(file_error)?;
-        Ok(Self { scenario, run })
-    }
-
-    /// Computes the run again and gives the first difference, as JSON text.
-    fn verify(&self, py: Python<'_>) -> PyResult<String> {
         let compute =
-            |interrupted: &mut dyn FnMut() -> bool| simulate::verify(&self.scenario, &self.run, interrupted);
+            |interrupted: &mut dyn FnMut() -> bool| simulate::resume(&scenario, run, until, interrupted);
+        let run = interruptible(py, compute)?.map_err(|error| simulation_error(&error, &scenario))?;
+        Ok(Self::new(scenario, run.into()))
+    }
+
+    fn verified<D: Simulated>(&self, py: Python<'_>, run: &run::Run<f64, D>) -> PyResult<String> {
+        let compute =
+            |interrupted: &mut dyn FnMut() -> bool| simulate::verify(&self.scenario, run, interrupted);
         let difference =
             interruptible(py, compute)?.map_err(|error| simulation_error(&error, &self.scenario))?;
         let outcome = json!({
             "same": difference.is_none(),
-            "physics_version": self.run.physics_version,
+            "physics_version": run.physics_version,
             "difference": difference,
         });
         Ok(outcome.to_string())
     }
+}
+
+/// A quantity at each of some times, computed without the interpreter's lock.
+fn at<T: Send>(
+    py: Python<'_>,
+    times: &PyReadonlyArray1<'_, f64>,
+    quantity: impl Fn(f64) -> Result<T, QueryError> + Send,
+) -> PyResult<Vec<T>> {
+    let times = times.as_array().to_vec();
+    py.detach(|| times.into_iter().map(quantity).collect::<Result<_, _>>())
+        .map_err(|error| query_error(&error))
+}
+
+fn series<'py>(
+    py: Python<'py>,
+    times: &PyReadonlyArray1<'_, f64>,
+    quantity: impl Fn(f64) -> Result<f64, QueryError> + Send,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    Ok(PyArray1::from_vec(py, at(py, times, quantity)?))
+}
+
+fn table<'py, T: Element + Copy, const N: usize>(
+    py: Python<'py>,
+    rows: impl ExactSizeIterator<Item = [T; N]>,
+) -> PyResult<Bound<'py, PyArray2<T>>> {
+    let count = rows.len();
+    PyArray1::from_vec(py, rows.flatten().collect()).reshape([count, N])
+}
+
+/// The shape of vectors of balls at times: the number of components is what is left.
+fn shape<T>(states: &[Vec<T>], balls: usize, values: &[f64]) -> [usize; 3] {
+    let rows = states.len() * balls;
+    [states.len(), balls, if rows > 0 { values.len() / rows } else { 2 }]
 }

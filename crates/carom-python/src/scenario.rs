@@ -7,6 +7,7 @@ use crate::run::Run;
 use crate::simulation::Simulation;
 use carom::run::Kind;
 use carom::scenario::{self, System, json_schema};
+use carom::simulate::AnyRun;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde_json::{Map, Value, json};
@@ -90,9 +91,7 @@ impl Scenario {
     /// Runs the scenario to its end, without the interpreter's lock.
     fn run(&self, py: Python<'_>, options_json: &str) -> PyResult<Run> {
         let (scenario, until) = with_options(&self.0, options_json)?;
-        let compute = |interrupted: &mut dyn FnMut() -> bool| {
-            carom::simulate::simulate_until(&scenario, until, interrupted)
-        };
+        let compute = |interrupted: &mut dyn FnMut() -> bool| AnyRun::simulate(&scenario, until, interrupted);
         let run = interruptible(py, compute)?.map_err(|error| simulation_error(&error, &scenario))?;
         Ok(Run::new(scenario, run))
     }

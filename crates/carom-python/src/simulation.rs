@@ -3,18 +3,17 @@
 use crate::errors::{problem, simulation_error};
 use crate::interrupt::interruptible;
 use crate::run::Run;
-use crate::states::array;
-use carom::engine::{self, Coming};
-use carom::flight::Flight;
-use carom::run::{Event, Kind, Log, Observer, SimulationError, Status};
+use crate::states::{Moving, array};
+use carom::engine::Coming;
+use carom::run::{Dynamics, Event, Kind, Log, Observer, SimulationError, Status};
+use carom::scenario::Scenario;
 use carom::scenario::schema::Method;
-use carom::scenario::{Scenario, System};
-use carom::simulate::{limits_of, log_of};
+use carom::simulate::{AnySimulation, Simulated, SimulationOf};
+use carom::with_any;
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::VecDeque;
-use std::sync::Arc;
 
 /// Steps between two looks for Ctrl-C.
 const SLICE: u64 = 50_000;
@@ -25,8 +24,7 @@ type Outcome = Result<(), SimulationError>;
 #[pyclass(module = "carom._engine")]
 pub struct Simulation {
     scenario: Scenario,
-    simulation: engine::Simulation<f64>,
-    log: Log<f64>,
+    simulation: AnySimulation,
     /// Events that have happened, in a cluster, and were not handed out yet.
     fresh: VecDeque<Event<f64>>,
 }
@@ -36,33 +34,20 @@ impl Simulation {
         if scenario.method != Method::Exact {
             return Err(problem("method", "only the exact method goes event by event"));
         }
-        let mut log = log_of(&scenario);
-        let system = Arc::new(System::new(&scenario));
-        let simulation = engine::Simulation::new(system, limits_of(&scenario, until), &mut log);
-        Ok(Self { scenario, simulation, log, fresh: VecDeque::new() })
-    }
-
-    /// Goes on without the interpreter's lock; events not handed out before are passed over.
-    fn go_on(
-        &mut self,
-        py: Python<'_>,
-        go_on: impl FnOnce(&mut engine::Simulation<f64>, &mut Log<f64>, &mut dyn FnMut() -> bool) -> Outcome
-        + Send,
-    ) -> PyResult<()> {
-        self.fresh.clear();
-        let (simulation, log) = (&mut self.simulation, &mut self.log);
-        interruptible(py, |interrupted| go_on(simulation, log, interrupted))?
-            .map_err(|error| simulation_error(&error, &self.scenario))
+        let simulation = AnySimulation::start(&scenario, until);
+        Ok(Self { scenario, simulation, fresh: VecDeque::new() })
     }
 
     fn row<'py>(&self, py: Python<'py>, index: u64, event: &Event<f64>) -> PyResult<Bound<'py, PyDict>> {
+        let is_pocket = event.kind == Kind::BallPocket;
+        let place = event.cushion.map(|cushion| self.cushion(cushion));
         let row = PyDict::new(py);
         row.set_item("index", index)?;
         row.set_item("time", event.time)?;
         row.set_item("kind", event.kind.name())?;
         row.set_item("ball_a", self.ball(event.ball_a))?;
         row.set_item("ball_b", event.ball_b.map(|ball| self.ball(ball)))?;
-        row.set_item("cushion", event.cushion.map(|cushion| self.cushion(cushion)))?;
+        row.set_item("cushion", place.filter(|_| !is_pocket))?;
         row.set_item("x", event.point.x)?;
         row.set_item("y", event.point.y)?;
         row.set_item("normal_x", event.normal.x)?;
@@ -70,6 +55,7 @@ impl Simulation {
         row.set_item("closing_speed", event.closing_speed)?;
         row.set_item("impulse", event.impulse)?;
         row.set_item("cluster", event.cluster)?;
+        row.set_item("pocket", place.filter(|_| is_pocket))?;
         Ok(row)
     }
 
@@ -85,12 +71,49 @@ impl Simulation {
     }
 
     fn ball(&self, index: u32) -> &str {
-        &self.simulation.system().ball_ids[index as usize]
+        let ids = with_any!(&self.simulation, inner => &inner.0.system().ball_ids);
+        &ids[index as usize]
     }
 
     fn cushion(&self, index: u32) -> &str {
-        &self.simulation.system().cushion_ids[index as usize]
+        let ids = with_any!(&self.simulation, inner => &inner.0.system().cushion_ids);
+        &ids[index as usize]
     }
+}
+
+/// The next event, if another one happens before the run ends.
+fn step<D: Simulated>(
+    (simulation, log): &mut (SimulationOf<D>, Log<f64, D>),
+    fresh: &mut VecDeque<Event<f64>>,
+) -> Result<u64, SimulationError> {
+    let mut both = Both { log, fresh };
+    while both.fresh.is_empty() {
+        if !simulation.step(&mut both)? {
+            break;
+        }
+    }
+    Ok(simulation.diagnostics().total_events() - fresh.len() as u64)
+}
+
+fn run_until<D: Simulated>(
+    (simulation, log): &mut (SimulationOf<D>, Log<f64, D>),
+    time: f64,
+    interrupted: &mut dyn FnMut() -> bool,
+) -> Outcome {
+    while simulation.advance_until(time, SLICE, log)? {
+        if interrupted() {
+            return Ok(());
+        }
+    }
+    simulation.run_until(time, log)
+}
+
+fn run_on<D: Simulated>(
+    (simulation, log): &mut (SimulationOf<D>, Log<f64, D>),
+    interrupted: &mut dyn FnMut() -> bool,
+) -> Outcome {
+    while simulation.advance(SLICE, log)? && !interrupted() {}
+    Ok(())
 }
 
 #[pymethods]
@@ -98,85 +121,80 @@ impl Simulation {
     /// The time that the simulation has come to.
     #[getter]
     fn time(&self) -> f64 {
-        self.simulation.time()
+        with_any!(&self.simulation, inner => inner.0.time())
     }
 
     /// How the run ended; None while it goes on.
     #[getter]
     fn status(&self) -> Option<&'static str> {
-        self.simulation.status().map(Status::name)
+        with_any!(&self.simulation, inner => inner.0.status()).map(Status::name)
     }
 
     /// The next event as a row; None when the run has ended before another one.
     fn step<'py>(&mut self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let mut both = Both { log: &mut self.log, fresh: &mut self.fresh };
-        while both.fresh.is_empty() {
-            let goes_on = self.simulation.step(&mut both);
-            if !goes_on.map_err(|error| simulation_error(&error, &self.scenario))? {
-                break;
-            }
-        }
-        let index = self.simulation.diagnostics().total_events() - self.fresh.len() as u64;
+        let fresh = &mut self.fresh;
+        let index = with_any!(&mut self.simulation, inner => step(inner, fresh))
+            .map_err(|error| simulation_error(&error, &self.scenario))?;
         let event = self.fresh.pop_front();
         event.map(|event| self.row(py, index, &event)).transpose()
     }
 
-    /// Goes on to a time, or to the end of the run if that is earlier.
+    /// Goes on to a time, or to the end of the run if that is earlier; events not handed out before are passed over.
     fn run_until(&mut self, py: Python<'_>, time: f64) -> PyResult<()> {
-        self.go_on(py, |simulation, log, interrupted| {
-            while simulation.advance_until(time, SLICE, log)? {
-                if interrupted() {
-                    return Ok(());
-                }
-            }
-            simulation.run_until(time, log)
-        })
+        self.fresh.clear();
+        let simulation = &mut self.simulation;
+        interruptible(py, |interrupted| with_any!(simulation, inner => run_until(inner, time, interrupted)))?
+            .map_err(|error| simulation_error(&error, &self.scenario))
     }
 
     /// What each ball is about to do, a row each.
     fn candidates<'py>(&mut self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let coming = self.simulation.candidates();
+        let coming = with_any!(&mut self.simulation, inner => inner.0.candidates());
         coming.iter().map(|coming| self.candidate(py, coming)).collect()
     }
 
-    /// The centres now, (n_balls, 2).
+    /// The centres now, (n_balls, 2), or (n_balls, 3) on a cloth.
     fn positions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        array(py, self.simulation.state(), |state| state.position)
+        with_any!(&self.simulation, inner => array(py, inner.0.state(), Moving::position))
     }
 
-    /// The velocities now, (n_balls, 2).
+    /// The velocities now, (n_balls, 2), or (n_balls, 3) on a cloth.
     fn velocities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        array(py, self.simulation.state(), |state| state.velocity)
+        with_any!(&self.simulation, inner => array(py, inner.0.state(), Moving::velocity))
     }
 
     /// Ends the run here.
     fn stop(&mut self) {
-        self.simulation.stop(Status::Stopped);
+        with_any!(&mut self.simulation, inner => inner.0.stop(Status::Stopped));
     }
 
     /// Goes on to the end, unless the run has ended, and gives the run.
     fn finish(&mut self, py: Python<'_>) -> PyResult<Run> {
-        self.go_on(py, |simulation, log, interrupted| {
-            while simulation.advance(SLICE, log)? && !interrupted() {}
-            Ok(())
-        })?;
-        Ok(Run::new(self.scenario.clone(), self.simulation.clone().finish(self.log.clone())))
+        self.fresh.clear();
+        let simulation = &mut self.simulation;
+        interruptible(py, |interrupted| with_any!(simulation, inner => run_on(inner, interrupted)))?
+            .map_err(|error| simulation_error(&error, &self.scenario))?;
+        let run = with_any!(&self.simulation, inner => {
+            let (simulation, log) = (**inner).clone();
+            simulation.finish(log).into()
+        });
+        Ok(Run::new(self.scenario.clone(), run))
     }
 }
 
 /// Keeps events twice: in the log, and to hand them out.
-struct Both<'a> {
-    log: &'a mut Log<f64>,
+struct Both<'a, D: Dynamics<f64>> {
+    log: &'a mut Log<f64, D>,
     fresh: &'a mut VecDeque<Event<f64>>,
 }
 
-impl Observer<f64> for Both<'_> {
+impl<D: Dynamics<f64>> Observer<f64, D> for Both<'_, D> {
     fn event(&mut self, event: &Event<f64>) {
         self.log.event(event);
         self.fresh.push_back(*event);
     }
 
-    fn flight(&mut self, ball: usize, flight: &Flight<f64>) {
+    fn flight(&mut self, ball: usize, flight: &D::Flight) {
         self.log.flight(ball, flight);
     }
 }

@@ -152,7 +152,8 @@ fn play(seed: u64, shot: u64, tally: &Mutex<Tally>) {
 
 /// The scenario, if its balls do not overlap; any other problem is the campaign's own.
 fn checked(value: &Value) -> Result<Scenario, ScenarioError> {
-    let scenario: Result<Scenario, ScenarioError> = Ok(serde_json::from_value::<Scenario>(value.clone()).expect("scen"));
+    let scenario: Result<Scenario, ScenarioError> =
+        Ok(serde_json::from_value::<Scenario>(value.clone()).expect("scen"));
     if let Err(error) = &scenario {
         let is_placement = error.problems.iter().all(|problem| {
             ["overlap", "outside", "over the pocket", "pocket"]

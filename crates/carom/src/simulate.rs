@@ -8,7 +8,7 @@ use crate::run::{Dynamics, Kind, Log, OnCloth, PHYSICS_VERSION, Plane, Run, Simu
 use crate::scenario::schema::{Method, Record};
 use crate::scenario::{Scenario, ScenarioError, System};
 use crate::stepped::{self, Ends, Readings};
-pub use any::{AnyRun, AnySimulation};
+pub use any::{Any, AnyRun, AnySimulation};
 use serde_json::Value;
 use std::sync::Arc;
 pub use verify::{Difference, verify};

@@ -5,31 +5,30 @@ use crate::run::{Kind, Log, OnCloth, Plane, Run, RunFileError, SimulationError, 
 use crate::scenario::Scenario;
 use serde_json::Value;
 
-/// A run of discs or of balls on a cloth.
+/// Something of discs or of balls on a cloth.
 #[derive(Clone, Debug)]
-pub enum AnyRun {
-    /// Discs in the plane.
-    Plane(Box<Run<f64, Plane>>),
-    /// Balls on a cloth.
-    OnCloth(Box<Run<f64, OnCloth>>),
+pub enum Any<P, C> {
+    /// Of discs in the plane.
+    Plane(P),
+    /// Of balls on a cloth.
+    OnCloth(C),
 }
 
-/// A run in progress of discs or of balls on a cloth, with its log.
-#[derive(Clone, Debug)]
-pub enum AnySimulation {
-    /// Discs in the plane.
-    Plane(Box<(SimulationOf<Plane>, Log<f64, Plane>)>),
-    /// Balls on a cloth.
-    OnCloth(Box<(SimulationOf<OnCloth>, Log<f64, OnCloth>)>),
-}
+/// A run.
+pub type AnyRun = Any<Box<Run<f64, Plane>>, Box<Run<f64, OnCloth>>>;
 
-/// Evaluates an expression with the run inside an [`AnyRun`], or what is inside an [`AnySimulation`], whichever it is.
+/// A run in progress, with its log.
+pub type AnySimulation = Any<Box<InProgress<Plane>>, Box<InProgress<OnCloth>>>;
+
+type InProgress<D> = (SimulationOf<D>, Log<f64, D>);
+
+/// Evaluates an expression with what is inside an [`Any`], whichever it is.
 #[macro_export]
 macro_rules! with_any {
-    ($any:ty, $value:expr, $inner:ident => $body:expr) => {
+    ($value:expr, $inner:ident => $body:expr) => {
         match $value {
-            <$any>::Plane($inner) => $body,
-            <$any>::OnCloth($inner) => $body,
+            $crate::simulate::Any::Plane($inner) => $body,
+            $crate::simulate::Any::OnCloth($inner) => $body,
         }
     };
 }
