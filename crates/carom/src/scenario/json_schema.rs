@@ -12,6 +12,9 @@ pub fn json_schema() -> &'static Value {
         if let Value::Object(keys) = &mut schema {
             keys.insert("$id".into(), json!("urn:carom:scenario:1"));
             keys.insert("title".into(), json!("Carom scenario"));
+            // Balls may be left out where there is a rack; the check of the whole says so in words.
+            keys.insert("if".into(), json!({ "not": { "required": ["rack"] } }));
+            keys.insert("then".into(), json!({ "required": ["balls"] }));
         }
         schema
     });

@@ -1,12 +1,20 @@
 //! "Did you mean ...": the known word nearest to a misspelt one.
 
 /// Words that people bring from elsewhere, and what they are called here.
-const CALLED_HERE: [(&str, &str); 14] = [
+const CALLED_HERE: [(&str, &str); 22] = [
     ("angle", "direction_deg"),
     ("angle_deg", "direction_deg"),
     ("phi", "direction_deg"),
     ("phi_deg", "direction_deg"),
     ("theta", "direction_deg"),
+    ("v0", "V0"),
+    ("cue_ball_id", "cue_ball"),
+    ("cue_id", "cue_ball"),
+    ("omega", "spin"),
+    ("angular_velocity", "spin"),
+    ("u_s", "sliding_friction"),
+    ("u_r", "rolling_friction"),
+    ("spacing_factor", "spacing"),
     ("colour", "color"),
     ("height", "length"),
     ("name", "id"),
@@ -23,11 +31,11 @@ const ALIKE: f64 = 0.5;
 
 /// The known word that was probably meant.
 pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
-    let called_here = CALLED_HERE.iter().find(|(foreign, _)| *foreign == word).map(|(_, here)| *here);
-    let is_meant =
-        |candidate: &&&str| Some(**candidate) == called_here || candidate.strip_suffix("_deg") == Some(word);
-    if let Some(meant) = known.iter().find(is_meant) {
-        return Some(meant);
+    let called_here = CALLED_HERE.iter().filter(|(foreign, _)| *foreign == word).map(|(_, here)| *here);
+    let in_degrees = known.iter().copied().find(|candidate| candidate.strip_suffix("_deg") == Some(word));
+    let meant = in_degrees.or_else(|| called_here.into_iter().find_map(|here| find(known, here)));
+    if meant.is_some() {
+        return meant;
     }
     let mut best = None;
     let mut likeness = ALIKE;
@@ -38,6 +46,10 @@ pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
         }
     }
     best
+}
+
+fn find<'a>(known: &[&'a str], word: &str) -> Option<&'a str> {
+    known.iter().copied().find(|candidate| *candidate == word)
 }
 
 /// "; did you mean this?" where a near word is known, and the list of all known ones where it is not too long.
@@ -63,6 +75,9 @@ mod tests {
         assert_eq!(nearest("direction", &known), Some("direction_deg"));
         assert_eq!(nearest("phi", &known), Some("direction_deg"));
         assert_eq!(nearest("phi", &["position"]), None);
+        assert_eq!(nearest("theta", &["direction_deg", "theta_deg"]), Some("theta_deg"));
+        assert_eq!(nearest("v0", &["V0", "velocity"]), Some("V0"));
+        assert_eq!(nearest("v0", &known), Some("velocity"));
         assert_eq!(nearest("from", &["radius", "from_deg", "to_deg"]), Some("from_deg"));
         assert_eq!(nearest("zzz", &known), None);
     }

@@ -18,7 +18,7 @@ impl Scenario {
     /// # let midterm = include_str!("../../../../scenarios/midterm.toml");
     /// let scenario = Scenario::from_toml(midterm)?;
     /// let faster = scenario.with_values(&[("balls.red.velocity[0]", 3.5.into()), ("duration", 10.into())])?;
-    /// assert_eq!(faster.balls[0].velocity, Some([3.5, 4.0]));
+    /// assert_eq!(faster.balls[0].velocity, Some([3.5, 4.0].into()));
     /// # Ok::<(), carom::scenario::ScenarioError>(())
     /// ```
     pub fn with_values<P: AsRef<str>>(&self, values: &[(P, Value)]) -> Result<Self, ScenarioError> {

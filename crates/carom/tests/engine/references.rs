@@ -33,7 +33,7 @@ fn only_laws_that_acted_are_named() {
     assert_eq!(laws_of(&run_of(&json!({ "collapse": "tc" }), Record::All)), ["collapse.tc"]);
     let mut midterm = bundled("midterm");
     assert_eq!(laws_of(&simulate(&midterm).unwrap()), ["ball_cushion.restitution"]);
-    midterm.physics.ball_ball = BallBall::Restitution { normal: 0.9 };
+    midterm.physics.ball_ball = Some(BallBall::Restitution { normal: 0.9 });
     let both = ["ball_ball.restitution", "ball_cushion.restitution"];
     assert_eq!(laws_of(&simulate(&midterm).unwrap()), both);
     let stepped = ["ball_cushion.restitution", "method.stepped"];
@@ -52,9 +52,9 @@ fn laws_without_loss_need_no_source() {
 #[test]
 fn a_cluster_law_is_named_where_balls_met_at_once() {
     let mut cradle = bundled("newtons_cradle");
-    cradle.physics.collapse = Collapse::Stop;
+    cradle.physics.collapse = Some(Collapse::Stop);
     assert!(laws_of(&simulate(&cradle).unwrap()).contains(&"cluster.reflections"));
-    cradle.physics.cluster = carom::scenario::schema::Cluster::Pairwise;
+    cradle.physics.cluster = Some(carom::scenario::schema::Cluster::Pairwise);
     assert!(laws_of(&simulate(&cradle).unwrap()).contains(&"cluster.pairwise"));
 }
 

@@ -26,7 +26,8 @@ speed = 1
             "physics.ball_cushion.factor: must be between 0 and 1, got 8",
             "balls[2].radius: must be finite, got nan",
             "balls[2].velocty: unknown key; did you mean velocity? \
-         known: id, radius, mass, position, velocity, speed, direction_deg, color",
+         known: id, radius, mass, sliding_friction, rolling_friction, spin_decay, position, velocity, spin, speed, \
+         direction_deg, color",
             "balls[3].id: \"red\" is the id of balls[0] already",
             "balls[3].color: \"rde\" is no CSS colour name, #rgb or #rrggbb; did you mean red?",
             "balls[4].direction_deg: missing: speed needs a direction, in degrees from the x axis towards the y axis",
@@ -43,7 +44,7 @@ fn what_one_broken_part_leaves_is_still_checked() {
     assert_eq!(
         problems(&text),
         [
-            "balls[0].position: expected a list of 2 numbers, got 1 of them",
+            "balls[0].position: expected a list of 2 or 3 numbers, got 1 of them",
             "balls[1].id: \"\\n\" is no usable id: no quotes, no control characters, no space around it",
         ]
     );

@@ -33,7 +33,8 @@ pub fn with_obstacles(obstacles: &str) -> Vec<String> {
 
 /// The words between which a scenario chooses, in the order of the schema: `elastic, restitution`.
 pub fn choices(definition: &str, tag: &str) -> String {
-    let word = |choice: &serde_json::Value| choice["properties"][tag]["const"].as_str().unwrap().to_owned();
-    let choices = json_schema()["$defs"][definition]["oneOf"].as_array().unwrap();
-    choices.iter().map(word).collect::<Vec<_>>().join(", ")
+    let word = |choice: &serde_json::Value| choice["properties"][tag]["const"].as_str().map(str::to_owned);
+    let definition = &json_schema()["$defs"][definition];
+    let choices = definition.get("oneOf").or(definition.get("anyOf")).unwrap().as_array().unwrap();
+    choices.iter().filter_map(word).collect::<Vec<_>>().join(", ")
 }

@@ -34,7 +34,8 @@ fn a_newer_format_is_refused_by_name_and_nothing_else_is_said() {
 
 #[test]
 fn an_unknown_key_is_reported_with_the_nearest_and_all_known_ones() {
-    let known = "known: id, radius, mass, position, velocity, speed, direction_deg, color";
+    let known = "known: id, radius, mass, sliding_friction, rolling_friction, spin_decay, position, velocity, spin, speed, \
+                 direction_deg, color";
     assert_eq!(
         broken("velocity = [3.0", "velocty = [3.0"),
         [format!("balls[0].velocty: unknown key; did you mean velocity? {known}")]
@@ -65,11 +66,11 @@ fn wrong_types_are_reported_with_what_was_wanted() {
         ["table.width: expected a number, got \"2026-01-01\""]
     );
     assert_eq!(
-        broken("[3.0, 4.0]", "[3.0, 4.0, 5.0]"),
-        ["balls[0].velocity: expected a list of 2 numbers, got 3 of them"]
+        broken("[3.0, 4.0]", "[3.0, 4.0, 5.0, 6.0]"),
+        ["balls[0].velocity: expected a list of 2 or 3 numbers, got 4 of them"]
     );
     assert_eq!(broken("[3.0, 4.0]", "[3.0, 'a']"), ["balls[0].velocity[1]: expected a number, got \"a\""]);
-    assert_eq!(broken("[3.0, 4.0]", "7"), ["balls[0].velocity: expected a list of 2 numbers, got 7"]);
+    assert_eq!(broken("[3.0, 4.0]", "7"), ["balls[0].velocity: expected a list of 2 or 3 numbers, got 7"]);
     assert_eq!(broken("id = \"red\"", "id = 5"), ["balls[0].id: expected text, got 5"]);
     assert_eq!(broken("id = \"red\"", "id = ''"), ["balls[0].id: must not be empty"]);
     assert_eq!(
@@ -84,16 +85,19 @@ fn wrong_types_are_reported_with_what_was_wanted() {
 fn missing_keys_are_reported_with_what_is_wanted() {
     assert_eq!(
         problems("duration = 1"),
-        ["table: missing: expected a set of keys with shape", "balls: missing: expected a list"]
+        [
+            "table: missing: expected a set of keys with shape or preset",
+            "balls: missing: give at least one ball, or a rack"
+        ]
     );
     assert_eq!(broken("width = 1.0", ""), ["table.width: missing: expected a number"]);
     assert_eq!(
         broken("position = [0.1, 0.1]", ""),
-        ["balls[0].position: missing: expected a list of 2 numbers"]
+        ["balls[0].position: missing: give ball \"red\" a position, [x, y]"]
     );
     assert_eq!(
         broken("shape = \"rectangle\"", ""),
-        [format!("table.shape: missing: expected one of {}", choices("Table", "shape"))]
+        [format!("table.shape: missing: expected one of {}; or give preset", choices("Table", "shape"))]
     );
     assert_eq!(
         problems("duration = 1\nballs = []\n[table]\nshape = 'circle'\nradius = 1"),

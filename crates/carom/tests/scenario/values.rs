@@ -44,7 +44,7 @@ fn several_values_are_set_at_once_and_the_original_stays() {
     ];
     let changed = original.with_values(&changes).unwrap();
     assert_eq!(original, midterm());
-    assert_eq!(changed.balls[0].velocity, Some([3.1, 4.0]));
+    assert_eq!(changed.balls[0].velocity, Some([3.1, 4.0].into()));
     assert_eq!((changed.duration, changed.balls[1].mass), (Some(10.0), Some(2.5)));
     assert_eq!(changed.units.length.as_deref(), Some("m"));
     assert!(changed.balls[1].color.is_none() && changed.physics.cushions.contains_key("left"));
@@ -89,9 +89,13 @@ fn what_is_set_is_checked() {
     );
     assert_eq!(
         set("physics.ball_ball.normal", json!(1)),
-        format!("physics.ball_ball.law: missing: expected one of {}", choices("BallBall", "law"))
+        "physics.ball_ball.normal: unknown key; known: law"
     );
-    assert_eq!(set("table", Value::Null), "table: missing: expected a set of keys with shape");
+    assert_eq!(
+        set("physics.flight.acceleration", json!([0, 1])),
+        format!("physics.flight.law: missing: expected one of {}", choices("Flight", "law"))
+    );
+    assert_eq!(set("table", Value::Null), "table: missing: expected a set of keys with shape or preset");
 }
 
 #[test]

@@ -9,7 +9,7 @@ pub(super) fn check_rack(draft: &Draft<'_>, findings: &mut Findings) {
         return;
     }
     if draft.rack.is_none() {
-        if draft.balls.is_empty() && findings.is_sound("balls") {
+        if draft.balls.is_empty() && findings.is_sound("balls") && findings.is_sound("scenario") {
             findings.add("balls", "missing: give at least one ball, or a rack");
         }
         return;

@@ -1,7 +1,7 @@
 //! Which of several alternatives a value is meant for.
 //!
 //! The scenario's schema has three kinds: one of some words; sets of keys told apart by the word under one key (a tag),
-//! or by which key they have; and values of different types.
+//! or by which key they have, or by both; and values of different types.
 
 use super::words::{describe, has_type, short};
 use super::{keys_of, property, resolve};
@@ -35,7 +35,7 @@ pub(super) fn choose<'a>(value: &Value, schema: &Value, all: &'a [Value]) -> Res
         [only] => Ok(*only),
         [first, ..] if first.get("const").is_some() => choose_word(value, &of_type),
         [first, ..] => match tag_of(first) {
-            Some(tag) => choose_tagged(value, &of_type, tag),
+            Some(tag) => choose_tagged_or_keyed(value, &of_type, tag),
             None => choose_by_key(value, &of_type),
         },
     }
@@ -57,6 +57,37 @@ pub(super) fn tag_of(schema: &Value) -> Option<&str> {
     keys_of(schema)
         .into_iter()
         .find(|key| property(schema, key).is_some_and(|inner| inner.get("const").is_some()))
+}
+
+/// Among alternatives with a tag and such as have a key of their own in its place, as a table has a shape or a preset.
+fn choose_tagged_or_keyed<'a>(
+    value: &Value,
+    all: &[&'a Value],
+    tag: &'a str,
+) -> Result<&'a Value, Mismatch<'a>> {
+    let tagged: Vec<&Value> = all.iter().copied().filter(|schema| property(schema, tag).is_some()).collect();
+    for (schema, key) in all.iter().filter_map(|schema| Some((*schema, key_of(schema, tag)?))) {
+        match (value.get(key).is_some(), value.get(tag).is_some()) {
+            (true, true) => {
+                let message = format!("is given beside {key}: give only one of them");
+                return Err(Mismatch { key: Some(tag), message });
+            }
+            (true, false) => return Ok(schema),
+            (false, true) => {}
+            (false, false) => {
+                return choose_tagged(value, &tagged, tag).map_err(|mismatch| Mismatch {
+                    message: format!("{}; or give {key}", mismatch.message),
+                    ..mismatch
+                });
+            }
+        }
+    }
+    choose_tagged(value, &tagged, tag)
+}
+
+/// The key that an alternative without the tag has in its place.
+pub(super) fn key_of<'a>(schema: &'a Value, tag: &str) -> Option<&'a str> {
+    property(schema, tag).is_none().then(|| schema.get("required")?.get(0)?.as_str()).flatten()
 }
 
 fn choose_tagged<'a>(value: &Value, all: &[&'a Value], tag: &'a str) -> Result<&'a Value, Mismatch<'a>> {

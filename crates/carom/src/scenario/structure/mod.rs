@@ -99,11 +99,12 @@ fn check_keys(
 fn check_items(items: &[Value], schema: &Value, place: &Place<'_>, findings: &mut Findings) -> Value {
     let bound = |key| schema.get(key).and_then(Value::as_u64);
     let count = items.len() as u64;
-    if bound("maxItems").is_some_and(|most| count != most) {
+    let (least, most) = (bound("minItems"), bound("maxItems"));
+    if most.is_some_and(|most| count > most || least.is_some_and(|least| count < least)) {
         findings.add(place, format!("expected {}, got {count} of them", describe(schema)));
         return Value::Null;
     }
-    if bound("minItems").is_some_and(|least| count < least) {
+    if least.is_some_and(|least| count < least) {
         findings.add(place, "must not be empty");
     }
     let Some(inner) = schema.get("items") else { return Value::Array(items.to_vec()) };

@@ -1,6 +1,6 @@
 //! How schemas, values and ranges are put into words.
 
-use super::choice::{alternatives, tag_of};
+use super::choice::{alternatives, key_of, tag_of};
 use super::resolve;
 use serde_json::Value;
 
@@ -14,7 +14,11 @@ pub(super) fn describe(schema: &Value) -> String {
     if let Some(all) = alternatives(schema) {
         return describe_alternatives(all);
     }
-    let count = schema.get("maxItems").and_then(Value::as_u64);
+    let bound = |key| schema.get(key).and_then(Value::as_u64);
+    let count = bound("maxItems").map(|most| match bound("minItems") {
+        Some(least) if least < most => format!("{least} or {most}"),
+        _ => most.to_string(),
+    });
     match (schema.get("type").and_then(Value::as_str).unwrap_or_default(), count) {
         ("number", _) => "a number".into(),
         ("integer", _) => "a whole number".into(),
@@ -38,7 +42,10 @@ fn describe_alternatives(all: &[Value]) -> String {
     let mut kinds: Vec<String> = all.iter().map(|schema| describe(resolve(schema))).collect();
     kinds.dedup();
     match all.first().and_then(tag_of) {
-        Some(tag) => format!("a set of keys with {tag}"),
+        Some(tag) => {
+            let keys = all.iter().map(resolve).filter_map(|schema| key_of(schema, tag));
+            format!("a set of keys with {}", [tag].into_iter().chain(keys).collect::<Vec<_>>().join(" or "))
+        }
         None => kinds.join(" or "),
     }
 }
