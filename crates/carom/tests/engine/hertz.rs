@@ -208,8 +208,9 @@ fn the_perfect_break_comes_out_as_its_own_mirror_image() {
     }
 }
 
-/// Stiff balls moved by small steps of Runge and Kutta, with all their places: velocities after all have parted.
-fn integrated(scene: &Scene) -> Vec<Vec2<f64>> {
+/// Stiff balls moved by small steps of Runge and Kutta, with all their places: velocities after all have parted. None where some come
+/// together again so slowly that they have moved on by then.
+fn integrated(scene: &Scene) -> Option<Vec<Vec2<f64>>> {
     const STIFFNESS: f64 = 1e14;
     let contacts = scene.contacts();
     let count = scene.balls.len();
@@ -241,7 +242,27 @@ fn integrated(scene: &Scene) -> Vec<Vec2<f64>> {
     // A contact of unit balls at unit speed lasts 3.2 k^(-2/5) or so; slower and heavier ones a few times that.
     let unit = STIFFNESS.powf(-0.4);
     let step = unit / 200.0;
-    for _ in 0..(60.0 * unit / step) as usize {
+    // Until nothing presses and nothing comes together any more.
+    let goes_on = |state: &[Vec2<f64>]| {
+        contacts.iter().any(|&(a, b, point, normal)| {
+            let velocity = |k: usize| state[count + k];
+            let (gap, closing) = match b {
+                Some(b) => {
+                    let apart = state[b] - state[a];
+                    let radii = scene.balls[a].radius + scene.balls[b].radius;
+                    (apart.norm() - radii, (velocity(a) - velocity(b)).dot(apart.unit()))
+                }
+                None => ((point - state[a]).dot(normal) - scene.balls[a].radius, velocity(a).dot(normal)),
+            };
+            gap < 0.0 || closing > 1e-9
+        })
+    };
+    let mut steps = 0;
+    while steps < 100 || goes_on(&state) {
+        steps += 1;
+        if steps > 100_000 {
+            return None;
+        }
         let k1 = rates(&state);
         let k2 = rates(&moved(&state, &k1, step / 2.0));
         let k3 = rates(&moved(&state, &k2, step / 2.0));
@@ -250,21 +271,25 @@ fn integrated(scene: &Scene) -> Vec<Vec2<f64>> {
             *x = *x + (k1[k] + (k2[k] + k3[k]) * 2.0 + k4[k]) * (step / 6.0);
         }
     }
-    state.split_off(count)
+    Some(state.split_off(count))
 }
 
 #[test]
 fn stiff_balls_integrated_with_their_places_end_on_the_same_velocities() {
     let mut scenes = vec![row(3), one_into_two()];
     let mut random = Random::new(11);
-    scenes.extend((0..12).map(|_| random_scene(&mut random)));
+    scenes.extend((0..14).map(|_| random_scene(&mut random)));
+    let mut compared = 0;
     for (number, scene) in scenes.iter().enumerate() {
-        let (found, expected) = (scene.resolved(1.0).0, integrated(scene));
+        let Some(expected) = integrated(scene) else { continue };
+        let found = scene.resolved(1.0).0;
+        compared += 1;
         // The oracle's overlaps are some 1e-5 of a radius, and turn its normals by as much; the law's own steps leave
         // some 3e-5 of each speed.
         let far = farthest(&found, &expected);
         assert!(far < 3e-4, "scene {number} of seed 11: {far:e} off: {found:?}, {expected:?}");
     }
+    assert!(compared >= 12, "only {compared} scenes came to an end");
 }
 
 /// A row with losses, by many more and plainer steps: the rule of the law as it is told, in one dimension.

@@ -46,7 +46,7 @@ pub const REFERENCES: &[Reference] = &[
 ];
 
 /// Steps to a contact's duration.
-const STEPS: u32 = 64;
+const STEPS: u32 = 100;
 /// Duration of the contact `d²δ/dt² = −δ^(3/2)` that closes at speed 1: `2 (5/4)^(2/5) ∫₀¹ dx / √(1 − x^(5/2))`.
 const DURATION: f64 = 3.218;
 /// Durations of contacts allowed for each ball of a pass.
