@@ -83,7 +83,8 @@ impl<S: Scalar, D: Dynamics<S>> Run<S, D> {
 
 fn references_of(cluster: Cluster) -> &'static [Reference] {
     match cluster {
-        Cluster::Reflections | Cluster::Hertz => cluster::reflections::REFERENCES,
+        Cluster::Reflections => cluster::reflections::REFERENCES,
+        Cluster::Hertz => cluster::hertz::REFERENCES,
         Cluster::Pairwise => cluster::pairwise::REFERENCES,
     }
 }

@@ -18,6 +18,7 @@ mod dual;
 mod extremes;
 mod fast_path;
 mod heaps;
+mod hertz;
 mod kit;
 mod laws;
 mod leaks;

@@ -5,7 +5,7 @@ use super::contact::{Present, by_place, contact_event};
 use super::ending::Cause;
 use crate::geometry::Vec3;
 use crate::law::ball_ball::SphereLaw;
-use crate::law::cluster::{Body, Passes, Touch, effective_radius, resolve_pairwise, resolve_reflections};
+use crate::law::cluster::{Body, Passes, Touch, effective_radius, resolve_hertz, resolve_pairwise, resolve_reflections};
 use crate::model::Twist;
 use crate::run::{Event, Observer, OnCloth};
 use crate::scalar::Scalar;
@@ -100,7 +100,8 @@ impl<S: Scalar> Spheres<S> {
         touches: &mut [Touch<S, Vec3<S>, SphereLaw<S>>],
     ) {
         let Passes { count, forced } = match self.system.cluster {
-            Cluster::Reflections | Cluster::Hertz => resolve_reflections(bodies, touches),
+            Cluster::Hertz => resolve_hertz(bodies, touches),
+            Cluster::Reflections => resolve_reflections(bodies, touches),
             Cluster::Pairwise => resolve_pairwise(bodies, touches),
         };
         self.diagnostics.cluster_passes += u64::from(count);

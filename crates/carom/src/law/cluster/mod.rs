@@ -4,9 +4,11 @@
 //! of their place, never of their numbers, so that a renumbering changes no bit.
 
 mod complementarity;
+pub mod hertz;
 pub mod pairwise;
 pub mod reflections;
 
+pub use hertz::resolve_hertz;
 pub use pairwise::resolve_pairwise;
 pub use reflections::resolve_reflections;
 
