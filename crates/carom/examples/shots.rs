@@ -152,8 +152,7 @@ fn play(seed: u64, shot: u64, tally: &Mutex<Tally>) {
 
 /// The scenario, if its balls do not overlap; any other problem is the campaign's own.
 fn checked(value: &Value) -> Result<Scenario, ScenarioError> {
-    let scenario: Result<Scenario, ScenarioError> =
-        Ok(serde_json::from_value::<Scenario>(value.clone()).expect("scen"));
+    let scenario = Scenario::from_json(&value.to_string());
     if let Err(error) = &scenario {
         let is_placement = error.problems.iter().all(|problem| {
             ["overlap", "outside", "over the pocket", "pocket"]
@@ -326,7 +325,7 @@ fn measures(preset: &str) -> (Table<f64>, f64, f64) {
         "table": { "preset": preset },
         "balls": [{ "id": "cue", "position": [0.5, 0.5] }],
     });
-    let scenario = serde_json::from_value::<Scenario>(value).expect("a ball on a table");
+    let scenario = Scenario::from_json(&value.to_string()).expect("a ball on a table");
     let system = ClothSystem::<f64>::new(&scenario);
     let table = scenario.expanded().table.layout(&mut |_, value| value);
     (table, system.spheres[0].radius, system.noses[0].reach)

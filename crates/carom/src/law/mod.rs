@@ -10,6 +10,7 @@ pub mod cluster;
 pub mod coefficient;
 pub mod collapse;
 pub mod cue_ball;
+mod gradual;
 mod reference;
 mod sphere_plane;
 

@@ -23,9 +23,27 @@ pub fn angle_deg(x: f64, y: f64) -> f64 {
     libm::atan2(y, x) * (180.0 / core::f64::consts::PI)
 }
 
+/// The other leg of a right triangle with a hypotenuse of one; none where round-off makes the first too long.
+pub fn other_leg<S: Scalar>(leg: S) -> S {
+    let squared = S::ONE - leg.squared();
+    if squared > S::ZERO { squared.sqrt() } else { S::ZERO }
+}
+
+/// The angle in radians, from 0 to π, whose cosine this is.
+pub fn arccos<S: Scalar>(cos: S) -> S {
+    S::angle(cos, other_leg(cos))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::direction;
+    use super::{arccos, direction};
+
+    #[test]
+    fn arccos_agrees_with_the_definition() {
+        for cos in [-1.0, -0.3, 0.0, 0.7, 1.0] {
+            assert!((arccos::<f64>(cos) - libm::acos(cos)).abs() < 4e-16, "{cos}");
+        }
+    }
 
     #[test]
     fn quarter_turns_are_exact() {

@@ -632,7 +632,7 @@ fn double_double_runs_the_same_steps_with_less_round_off() {
 #[test]
 fn the_order_of_balls_in_a_file_changes_no_bit_of_a_break() {
     let mut original = bundled("triangle_break");
-    (original.physics.cluster, original.duration) = (Cluster::Hertz, Some(0.3));
+    (original.physics.cluster, original.duration) = (Some(Cluster::Hertz), Some(0.3));
     let known = simulate(&original).unwrap();
     assert!(known.diagnostics.clusters > 0 && known.diagnostics.forced_clusters == 0);
     let mut random = Random::new(17);

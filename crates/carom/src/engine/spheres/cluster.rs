@@ -5,7 +5,9 @@ use super::contact::{Present, by_place, contact_event};
 use super::ending::Cause;
 use crate::geometry::Vec3;
 use crate::law::ball_ball::SphereLaw;
-use crate::law::cluster::{Body, Passes, Touch, effective_radius, resolve_hertz, resolve_pairwise, resolve_reflections};
+use crate::law::cluster::{
+    Body, Passes, Touch, effective_radius, resolve_hertz, resolve_pairwise, resolve_reflections,
+};
 use crate::model::Twist;
 use crate::run::{Event, Observer, OnCloth};
 use crate::scalar::Scalar;

@@ -2,7 +2,7 @@
 
 use super::{Draft, Findings};
 use crate::scenario::path::Key;
-use crate::scenario::schema::{Ball, Cluster, Collapse, Cue, Flight, Table, Vector};
+use crate::scenario::schema::{Ball, Collapse, Cue, Flight, Table, Vector};
 
 /// Where the law stands that makes balls roll.
 const NEEDS: &str = "needs physics.flight.law = \"cloth\"";
@@ -60,7 +60,6 @@ fn of_laws(draft: &Draft<'_>) -> Vec<String> {
     places.extend(physics.ball_cushion().with_spin().map(|_| "physics.ball_cushion.law".into()));
     let with_spin = physics.cushions.iter().filter(|(_, law)| law.with_spin().is_some());
     places.extend(with_spin.map(|(id, _)| format!("physics.cushions.{}.law", Key(id))));
-    places.extend((physics.cluster() == Cluster::Hertz).then(|| "physics.cluster".into()));
     places
 }
 

@@ -373,8 +373,6 @@ pub enum Cluster {
     Hertz,
     /// One contact after the other.
     Pairwise,
-    /// The balls as springs of Hertz, their blows in the course of time; for balls on a cloth.
-    Hertz,
 }
 
 /// What is done when a ball's contacts follow each other without end in a finite time.

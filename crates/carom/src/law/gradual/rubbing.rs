@@ -1,0 +1,94 @@
+//! Friction at each place: along the slip, or what holds a place that does not slip.
+
+use super::response::{Impulse, Response};
+use crate::geometry::Vec2;
+use crate::scalar::Scalar;
+
+/// Rounds over the places in which the frictions of held and sliding places settle.
+const ROUNDS: usize = 10;
+
+/// Newton steps to the friction of a place that starts to slip.
+const NEWTON_STEPS: usize = 6;
+
+/// Friction per normal impulse.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rubbing<S, const N: usize> {
+    /// At each place.
+    pub rubs: [Vec2<S>; N],
+    /// The largest that there can be.
+    pub limits: [S; N],
+    /// Which places friction holds.
+    pub is_held: [bool; N],
+}
+
+/// What friction depends on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Surfaces<S, const N: usize> {
+    pub response: Response<S, N>,
+    pub frictions: [S; N],
+    pub loads: [[S; 2]; N],
+    /// Slip below which a place counts as not slipping.
+    pub still: S,
+}
+
+impl<S: Scalar, const N: usize> Surfaces<S, N> {
+    /// The friction at these slips. Places of `held` count as not slipping.
+    #[inline(always)]
+    pub(super) fn rubbing(&self, slips: &[Vec2<S>; N], held: [bool; N]) -> Rubbing<S, N> {
+        let speeds = slips.map(Vec2::norm);
+        let mut found = Rubbing { rubs: [Vec2::ZERO; N], limits: [S::ZERO; N], is_held: [false; N] };
+        let holds = |k: usize| held[k] || speeds[k] <= self.still;
+        for _ in 0..if holds(0) { ROUNDS } else { 1 } {
+            for k in 0..N {
+                found.limits[k] = self.limit(k, found.rubs[0]);
+                if holds(k) {
+                    (found.rubs[k], found.is_held[k]) = self.holding(k, &found);
+                } else {
+                    found.rubs[k] = slips[k] * (found.limits[k] / speeds[k]); // (1)
+                }
+            }
+        }
+        found
+    }
+
+    #[inline(always)]
+    fn limit(&self, place: usize, first_rub: Vec2<S>) -> S {
+        let [alone, by_rub] = self.loads[place];
+        let load = alone + by_rub * first_rub.y;
+        if load > S::ZERO { self.frictions[place] * load } else { S::ZERO }
+    }
+
+    /// The friction that holds a place against the rest (2), and whether it does.
+    fn holding(&self, place: usize, found: &Rubbing<S, N>) -> (Vec2<S>, bool) {
+        let limit = found.limits[place];
+        if limit == S::ZERO {
+            return (Vec2::ZERO, false);
+        }
+        let mut others = Impulse { normal: S::ONE, rubs: found.rubs };
+        others.rubs[place] = Vec2::ZERO;
+        let drive = self.response.slip_gained(place, &others);
+        let needed = self.response.stopping(place, drive);
+        if needed.norm_squared() <= limit.squared() {
+            return (needed, true);
+        }
+        (self.starting(place, drive, limit), false)
+    }
+
+    /// The friction of a place that starts to slip: as large as it can be, and along the slip that starts.
+    ///
+    /// That slip is `drive − G J = λ J`, so `J = drive/(G + λ)` in both directions, with the λ > 0 for which J has the
+    /// size of the limit. Newton's method on `1/|J|`, which is nearly linear in λ, finds it.
+    fn starting(&self, place: usize, drive: Vec2<S>, limit: S) -> Vec2<S> {
+        let [across, ahead] = [self.response.sideways[place][place], self.response.forwards[place][place]];
+        let rub = |lambda: S| Vec2::new(drive.x / (across + lambda), drive.y / (ahead + lambda));
+        let mut lambda = S::ZERO;
+        for _ in 0..NEWTON_STEPS {
+            let found = rub(lambda);
+            let squared = found.norm_squared();
+            let falling = found.x.squared() / (across + lambda) + found.y.squared() / (ahead + lambda);
+            lambda += squared / falling * (squared.sqrt() / limit - S::ONE);
+        }
+        let found = rub(lambda);
+        found * (limit / found.norm())
+    }
+}
