@@ -1,17 +1,22 @@
 //! What there is to draw of a table.
 
 use carom::geometry::{Arc, Piece, Vec2};
-use carom::model::{Outline, OutlineKind, Table};
+use carom::model::{Outline, OutlineKind, Pocket, Table};
 use serde_json::{Value, json};
 
-/// The cushions of a table as a JSON value: lines and arcs in order, those of the boundary first.
+/// The cushions of a table as a JSON value, lines and arcs in order, those of the boundary first; and its pockets.
 pub fn outline(table: &Table<f64>) -> Value {
     let (min, max) = (table.bounds.min, table.bounds.max);
     json!({
         "size": table.size(),
         "bounds": [min.x, min.y, max.x, max.y],
         "pieces": table.outlines.iter().flat_map(pieces).collect::<Vec<_>>(),
+        "pockets": table.pockets.iter().map(pocket).collect::<Vec<_>>(),
     })
+}
+
+fn pocket(pocket: &Pocket<f64>) -> Value {
+    json!({ "id": pocket.id, "center": point(pocket.center), "radius": pocket.radius })
 }
 
 fn pieces(outline: &Outline<f64>) -> impl Iterator<Item = Value> + '_ {

@@ -6,7 +6,7 @@ use crate::outline::outline;
 use crate::run::Run;
 use crate::simulation::Simulation;
 use carom::run::Kind;
-use carom::scenario::{self, System, json_schema};
+use carom::scenario::{self, json_schema};
 use carom::simulate::AnyRun;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -67,23 +67,39 @@ impl Scenario {
 
     /// What there is to draw of the table, as JSON text.
     fn outline(&self) -> String {
-        outline(&self.0.table.layout(&mut |_, value| value)).to_string()
+        outline(&self.0.expanded().table.layout(&mut |_, value| value)).to_string()
     }
 
-    /// The balls as JSON text, with radius, mass and velocity filled in.
+    /// The scenario with its preset and its rack turned into plain keys.
+    fn expanded(&self) -> Self {
+        Self(self.0.expanded().into_owned())
+    }
+
+    /// Whether the balls roll and spin on a cloth.
+    #[getter]
+    fn is_on_cloth(&self) -> bool {
+        self.0.expanded().physics.has_cloth()
+    }
+
+    /// The balls as JSON text, with radius, mass, velocity and, on a cloth, spin filled in; before the cue strikes.
     fn balls(&self) -> String {
         let scenario = self.0.expanded();
-        let system = System::<f64>::new(&scenario);
+        let has_cloth = scenario.physics.has_cloth();
         let ball = |(k, ball): (usize, &scenario::schema::Ball)| {
-            let (disc, flight) = (&system.discs[k], &system.flights[k]);
-            json!({
+            let start = ball.start::<f64>(k, &scenario.ball_defaults, &mut |_, value| value);
+            let components = if has_cloth { 3 } else { 2 };
+            let mut row = json!({
                 "id": ball.id,
-                "radius": disc.radius,
-                "mass": disc.mass,
-                "position": [flight.position.x, flight.position.y],
-                "velocity": [flight.velocity.x, flight.velocity.y],
+                "radius": start.radius,
+                "mass": start.mass,
+                "position": start.position.to_f64()[..components],
+                "velocity": start.velocity.to_f64()[..components],
                 "color": ball.color.as_ref().or(scenario.ball_defaults.color.as_ref()),
-            })
+            });
+            if has_cloth {
+                row["spin"] = json!(start.spin.to_f64());
+            }
+            row
         };
         scenario.balls.iter().enumerate().map(ball).collect::<Value>().to_string()
     }
