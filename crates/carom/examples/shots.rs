@@ -155,7 +155,7 @@ fn checked(value: &Value) -> Result<Scenario, ScenarioError> {
     let scenario = Scenario::from_json(&value.to_string());
     if let Err(error) = &scenario {
         let is_placement = error.problems.iter().all(|problem| {
-            ["overlap", "outside", "over the pocket", "pocket"]
+            ["overlaps", "outside", "reaches past", "lies over"]
                 .iter()
                 .any(|word| problem.message.contains(word))
         });
@@ -249,7 +249,7 @@ fn random_shot(random: &mut Random) -> Value {
         value["balls"] = strewn(random, preset);
     }
     random_laws(random, &mut value);
-    value["shot"] = strike(random);
+    value["shot"] = strike(random, if value["rack"]["game"] == "snooker" { "white" } else { "cue" });
     value
 }
 
@@ -280,11 +280,11 @@ fn random_laws(random: &mut Random, value: &mut Value) {
     }
 }
 
-fn strike(random: &mut Random) -> Value {
+fn strike(random: &mut Random, cue_ball: &str) -> Value {
     let (offset, angle) = (0.54 * random.unit().sqrt(), random.within(0.0, 360.0).to_radians());
     let elevation = if random.chance(0.3) { random.within(0.0, 80.0) } else { random.within(0.0, 6.0) };
     json!({
-        "cue_ball": "cue",
+        "cue_ball": cue_ball,
         "V0": if random.chance(0.1) { random.within(0.0, 0.3) } else { random.within(0.3, 8.0) },
         "phi_deg": if random.chance(0.2) { 90.0 } else { random.within(0.0, 360.0) },
         "theta_deg": elevation,

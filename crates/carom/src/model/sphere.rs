@@ -52,6 +52,12 @@ impl<S: Scalar> Twist<S> {
     /// No motion.
     pub const REST: Self = Self { velocity: Vec3::ZERO, spin: Vec3::ZERO };
 
+    /// The change from another motion to this.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
+        Self { velocity: self.velocity - other.velocity, spin: self.spin - other.spin }
+    }
+
     /// The velocity of the point of the ball's surface that lies from its centre in the unit direction `outward`.
     #[inline(always)]
     pub fn surface_velocity(&self, radius: S, outward: Vec3<S>) -> Vec3<S> {

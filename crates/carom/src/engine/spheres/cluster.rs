@@ -135,20 +135,20 @@ impl<S: Scalar> Spheres<S> {
             rubbed[a] = rubbed[a].after_impulse(&members[a].sphere, touch.normal, push);
             rubbed[b] = rubbed[b].after_impulse(&members[b].sphere, -touch.normal, -push);
         }
-        let energy = |twists: &[Twist<S>]| {
-            members.iter().zip(twists).fold(S::ZERO, |sum, (m, twist)| sum + m.sphere.kinetic_energy(twist))
-        };
         if work >= S::ZERO {
             return false;
         }
         // The energy is E + w s + c s² in the part s of the friction: more than the least of it would be too much.
-        let square = energy(&rubbed) - energy(&pushed) - work;
+        let changes: Vec<Twist<S>> = rubbed.iter().zip(&pushed).map(|(a, b)| a.minus(b)).collect();
+        let square = members
+            .iter()
+            .zip(&changes)
+            .fold(S::ZERO, |sum, (m, change)| sum + m.sphere.kinetic_energy(change));
         let least = -work / (S::from_f64(2.0) * square);
         let part = if least < S::ONE { least } else { S::ONE };
         for (k, twist) in twists.iter_mut().enumerate() {
-            let change = rubbed[k].velocity - pushed[k].velocity;
-            bodies[k].turn(pushed[k].velocity + change * part);
-            twist.spin = pushed[k].spin + (rubbed[k].spin - pushed[k].spin) * part;
+            bodies[k].turn(pushed[k].velocity + changes[k].velocity * part);
+            twist.spin = pushed[k].spin + changes[k].spin * part;
         }
         true
     }
