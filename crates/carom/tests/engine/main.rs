@@ -19,6 +19,7 @@ mod extremes;
 mod fast_path;
 mod heaps;
 mod hertz;
+mod hertz_invariants;
 mod kit;
 mod laws;
 mod leaks;
