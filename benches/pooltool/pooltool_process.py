@@ -48,3 +48,9 @@ def cold(shot):
     """Seconds of pooltool's import and first shot where nothing has been compiled yet, as after an installation."""
     with tempfile.TemporaryDirectory() as cache, started(NUMBA_CACHE_DIR=cache) as pooltool:
         return pooltool.ask("cold", shot)
+
+
+def warm(shot):
+    """The same in a new process that finds what was compiled."""
+    with started() as pooltool:
+        return pooltool.ask("cold", shot)

@@ -43,9 +43,7 @@ EACH, KEPT = 24, 3
 
 def main():
     with pooltool_process.started() as pooltool:
-        example, *played = [
-            entry(pooltool, shot) for shot in [shots.EXAMPLE, *shots.two_ball_shots(EACH, seed=11)]
-        ]
+        example, *played = [entry(pooltool, shot) for shot in [shots.EXAMPLE, *shots.two_ball_shots(EACH, seed=11)]]
         kept = [example, *varied(filter(None, played))]
         kept += [break_entry(pooltool, shot) for shot in shots.breaks(4)]
         base = base_of(pooltool)

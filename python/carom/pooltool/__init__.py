@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -69,118 +69,126 @@ def read_system(source: str | os.PathLike[str], *, resolver: Mapping[str, Any] |
 
 def scenario_of_system(system: Mapping[str, Any], *, resolver: Mapping[str, Any] | None = None) -> dict[str, Any]:
     """Turn the contents of a saved system into the keys of a scenario; see `read_system`."""
-    notes: list[str] = []
-    balls = _balls_on_table(system, notes)
     laws = {**DEFAULT_RESOLVER, **(resolver or {})}
-    scenario: dict[str, Any] = {
+    try:
+        return _scenario(system, laws)
+    except (AttributeError, IndexError, KeyError, TypeError) as error:
+        raise ScenarioError(f"no system as pooltool saves it: {type(error).__name__}: {error}") from error
+
+
+def _scenario(system: Mapping[str, Any], laws: Mapping[str, Any]) -> dict[str, Any]:
+    notes = ["Read from a system of pooltool."]
+    states = _states_on_table(system, notes)
+    params = {name: at(system, "balls", name, "params") for name in states}
+    shot = _shot(system, states, notes)
+    return {
         "title": "A shot of pooltool",
-        "description": "",
+        "description": " ".join(notes),
         "table": table_of(at(system, "table")),
-        "cue": _cue(at(system, "cue"), at(laws, "stick_ball")),
-        "physics": physics_of_resolver(laws, {name: ball["params"] for name, ball in balls.items()}),
-        **_balls(balls),
+        "cue": _cue(system, laws),
+        "physics": physics_of_resolver(laws, params),
+        **_balls(system, states),
+        **({"shot": shot} if shot else {}),
     }
-    shot = _shot(system, balls, notes)
-    if shot is not None:
-        scenario["shot"] = shot
-    scenario["description"] = " ".join(["Read from a system of pooltool.", *notes])
-    return scenario
 
 
-def _balls_on_table(system: Mapping[str, Any], notes: list[str]) -> dict[str, dict[str, Any]]:
-    """Give the state with which each ball begins, and its parameters; those in pockets are noted."""
-    events = at(system, "events")
-    time = at(system, "t")
+def _states_on_table(system: Mapping[str, Any], notes: list[str]) -> dict[str, Mapping[str, Any]]:
+    """Give the state with which each ball begins; those in pockets are noted."""
+    events, time = at(system, "events"), at(system, "t")
     if events:
         notes.append(f"It had been simulated; its {len(events)} events are left out.")
     elif time != 0:
         raise ScenarioError([("t", f"must be 0, as nothing was simulated, got {time}")])
-    states = {name: _first_state(ball, simulated=bool(events)) for name, ball in at(system, "balls").items()}
+    states = {name: _first_state(system, name, simulated=bool(events)) for name in at(system, "balls")}
     pocketed = sorted(name for name, state in states.items() if state["s"] == POCKETED)
     if pocketed:
         notes.append(f"In pockets, and left out: {', '.join(pocketed)}.")
-    return {
-        name: {"state": state, "params": at(system, f"balls.{name}.params")}
-        for name, state in states.items()
-        if state["s"] != POCKETED
-    }
+    return {name: state for name, state in states.items() if name not in pocketed}
 
 
-def _first_state(ball: Mapping[str, Any], *, simulated: bool) -> Mapping[str, Any]:
-    states = at(ball, "history.states") if simulated else [at(ball, "state")]
+def _first_state(system: Mapping[str, Any], name: str, *, simulated: bool) -> Mapping[str, Any]:
+    ball = system["balls"][name]
+    states: list[Mapping[str, Any]] = ball["history"]["states"] if simulated else [ball["state"]]
     if not states:
-        raise ScenarioError([(f"balls.{ball['id']}.history", "must hold how the ball began, as there are events")])
-    state: Mapping[str, Any] = states[0]
-    return state
+        raise ScenarioError([(f"balls.{name}.history", "must hold how the ball began, as there are events")])
+    return states[0]
 
 
-def _balls(balls: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
+def _balls(system: Mapping[str, Any], states: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
     """Give `ball_defaults`, what all balls have in common, and `balls`."""
-    written = {name: _parameters(ball["params"]) for name, ball in balls.items()}
+    written = {name: _parameters(system, name) for name in states}
     first = next(iter(written.values()), {})
     common = {key: value for key, value in first.items() if all(values[key] == value for values in written.values())}
+    own = {name: {key: value for key, value in values.items() if key not in common} for name, values in written.items()}
     entries = [
-        {"id": name, **_motion(name, ball), **{key: written[name][key] for key in first if key not in common}}
-        for name, ball in balls.items()
+        {"id": name, **_motion(name, state["rvw"], written[name]["radius"]), **own[name]}
+        for name, state in states.items()
     ]
     return {"ball_defaults": common, "balls": entries}
 
 
-def _parameters(params: Mapping[str, float]) -> dict[str, float]:
+def _parameters(system: Mapping[str, Any], name: str) -> dict[str, float]:
+    def parameter(key: str) -> float:
+        value: float = at(system, "balls", name, "params", key)
+        return value
+
     return {
-        "radius": at(params, "R"),
-        "mass": at(params, "m"),
-        "sliding_friction": at(params, "u_s"),
-        "rolling_friction": at(params, "u_r"),
+        "radius": parameter("R"),
+        "mass": parameter("m"),
+        "sliding_friction": parameter("u_s"),
+        "rolling_friction": parameter("u_r"),
         # Its spinning friction is a length, u_sp = u_sp_proportionality R, and the spin's decay 5 u_sp g / (2 R).
-        "spin_decay": 2.5 * at(params, "u_sp_proportionality") * at(params, "g"),
+        "spin_decay": 2.5 * parameter("u_sp_proportionality") * parameter("g"),
     }
 
 
-def _motion(name: str, ball: Mapping[str, Any]) -> dict[str, Any]:
-    (x, y, z), velocity, spin = at(ball, "state.rvw")
+def _motion(name: str, rvw: Sequence[Sequence[float]], radius: float) -> dict[str, Any]:
+    (x, y, z), velocity, spin = rvw
     if not math.isfinite(x + y):
         raise ScenarioError([(f"balls.{name}.state.rvw", "has no place on the table")])
-    if abs(z - ball["params"]["R"]) > SAME_HEIGHT or velocity[2] != 0:
+    if abs(z - radius) > SAME_HEIGHT or velocity[2] != 0:
         raise ScenarioError([(f"balls.{name}.state.rvw", "must lie on the cloth")])
     motion = {"velocity": velocity[:2], "spin": spin}
     return {"position": [x, y], **{key: value for key, value in motion.items() if any(value)}}
 
 
-def _shot(system: Mapping[str, Any], balls: Mapping[str, Mapping[str, Any]], notes: list[str]) -> dict[str, Any] | None:
+def _shot(
+    system: Mapping[str, Any], states: Mapping[str, Mapping[str, Any]], notes: list[str]
+) -> dict[str, Any] | None:
     """Give the shot; as in pooltool there is none while a ball moves, nor with a cue that does not."""
-    cue = at(system, "cue")
-    moving = [name for name, ball in balls.items() if any(map(any, ball["state"]["rvw"][1:]))]
+    moving = [name for name, state in states.items() if any(map(any, state["rvw"][1:]))]
     if moving:
         notes.append(f"No shot, as {', '.join(moving)} moved already.")
         return None
-    if at(cue, "V0") == 0:
+    if at(system, "cue", "V0") == 0:
         notes.append("No shot, as the cue's speed was 0.")
         return None
-    if at(cue, "cue_ball_id") not in balls:
-        raise ScenarioError([("cue.cue_ball_id", f"{cue['cue_ball_id']!r} must be a ball on the table")])
+    cue_ball = at(system, "cue", "cue_ball_id")
+    if cue_ball not in states:
+        raise ScenarioError([("cue.cue_ball_id", f"{cue_ball!r} must be a ball on the table")])
     return {
-        "cue_ball": cue["cue_ball_id"],
-        "V0": cue["V0"],
-        "phi_deg": at(cue, "phi"),
-        "theta_deg": at(cue, "theta"),
-        "a": at(cue, "a"),
-        "b": at(cue, "b"),
+        "cue_ball": cue_ball,
+        "V0": system["cue"]["V0"],
+        "phi_deg": at(system, "cue", "phi"),
+        "theta_deg": at(system, "cue", "theta"),
+        "a": at(system, "cue", "a"),
+        "b": at(system, "cue", "b"),
     }
 
 
-def _cue(cue: Mapping[str, Any], law: Mapping[str, Any]) -> dict[str, Any]:
-    if law.get("english_throttle", 1.0) != 1.0:
+def _cue(system: Mapping[str, Any], laws: Mapping[str, Any]) -> dict[str, Any]:
+    stroke = laws["stick_ball"]
+    if stroke.get("english_throttle", 1.0) != 1.0:
         raise ScenarioError([("stick_ball.english_throttle", "must be 1: a stroke's spin follows from its point")])
-    squirt = law.get("squirt_throttle", 1.0)
+    squirt = stroke.get("squirt_throttle", 1.0)
     if squirt not in (0.0, 1.0):
         raise ScenarioError([("stick_ball.squirt_throttle", "must be 1 or 0: squirt follows from the end's mass")])
     return {
-        "mass": at(cue, "specs.M"),
-        "tip_radius": at(cue, "specs.tip_radius"),
-        "end_mass": squirt * at(cue, "specs.end_mass"),
-        "miscue_offset": 1.0,
-        "length": at(cue, "specs.length"),
-        "shaft_radius": at(cue, "specs.shaft_radius_at_tip"),
-        "butt_radius": at(cue, "specs.shaft_radius_at_butt"),
+        "mass": at(system, "cue", "specs", "M"),
+        "tip_radius": at(system, "cue", "specs", "tip_radius"),
+        "end_mass": squirt * at(system, "cue", "specs", "end_mass"),
+        "miscue_offset": 1.0,  # pooltool's tip never slips off
+        "length": at(system, "cue", "specs", "length"),
+        "shaft_radius": at(system, "cue", "specs", "shaft_radius_at_tip"),
+        "butt_radius": at(system, "cue", "specs", "shaft_radius_at_butt"),
     }

@@ -56,13 +56,13 @@ def physics_of_resolver(resolver: Mapping[str, Any], params: Params) -> dict[str
         raise ScenarioError([("ball_circular_cushion", "must be the same law as ball_linear_cushion")])
     return {
         "flight": {"law": "cloth", "gravity": _common(params, "g"), "air": False},
-        "ball_ball": _ball_ball(at(resolver, "ball_ball"), params),
-        "ball_cushion": _ball_cushion(rails, params),
+        "ball_ball": _ball_ball(resolver, params),
+        "ball_cushion": _ball_cushion(resolver, params),
     }
 
 
-def _ball_ball(law: Mapping[str, Any], params: Params) -> dict[str, Any]:
-    model = at(law, "model")
+def _ball_ball(resolver: Mapping[str, Any], params: Params) -> dict[str, Any]:
+    law, model = resolver["ball_ball"], at(resolver, "ball_ball", "model")
     if model == "frictionless_elastic":
         return {"law": "elastic"}
     if model not in BALL_BALL:
@@ -79,8 +79,8 @@ def _ball_ball(law: Mapping[str, Any], params: Params) -> dict[str, Any]:
     }
 
 
-def _ball_cushion(law: Mapping[str, Any], params: Params) -> dict[str, Any]:
-    model = at(law, "model")
+def _ball_cushion(resolver: Mapping[str, Any], params: Params) -> dict[str, Any]:
+    law, model = resolver["ball_linear_cushion"], at(resolver, "ball_linear_cushion", "model")
     if model == "unrealistic":
         normal = _common(params, "e_c") if law.get("restitution", False) else 1.0
         return {"law": "restitution", "normal": normal, "tangential": 1.0}

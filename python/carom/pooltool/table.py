@@ -44,8 +44,8 @@ def table_of(table: Mapping[str, Any]) -> dict[str, Any]:
 
 def _places(table: Mapping[str, Any]) -> Places:
     """Give the ends of each line, and the centre of each arc and pocket."""
-    lines = {name: [line["p1"][:2], line["p2"][:2]] for name, line in at(table, "cushion_segments.linear").items()}
-    round_ones = {**at(table, "cushion_segments.circular"), **at(table, "pockets")}
+    lines = {name: [line["p1"][:2], line["p2"][:2]] for name, line in at(table, "cushion_segments", "linear").items()}
+    round_ones = {**at(table, "cushion_segments", "circular"), **at(table, "pockets")}
     return {**lines, **{name: [circle["center"][:2]] for name, circle in round_ones.items()}}
 
 

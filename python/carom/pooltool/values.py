@@ -8,10 +8,10 @@ from typing import Any
 from carom.errors import ScenarioError
 
 
-def at(values: Any, path: str) -> Any:
-    """Give the value at a path such as ``"specs.M"``; its absence is an error that names the path."""
-    for key in path.split("."):
+def at(values: Any, *keys: str) -> Any:
+    """Give the value below these keys; the absence of one is an error that names its place."""
+    for depth, key in enumerate(keys, start=1):
         if not isinstance(values, Mapping) or key not in values:
-            raise ScenarioError([(path, "is missing from pooltool's file")])
+            raise ScenarioError([(".".join(keys[:depth]), "is missing from pooltool's file")])
         values = values[key]
     return values

@@ -1,0 +1,108 @@
+"""Carom and pooltool 0.6.0 agree on the shots that pooltool played; reference/pooltool/README.md says what they are."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import carom
+from carom import _engine
+from carom.pooltool import physics_of_resolver
+
+REFERENCE = json.loads(
+    (Path(__file__).parents[1] / "reference" / "pooltool" / "shots.json").read_text(encoding="utf-8")
+)
+SHOTS = REFERENCE["shots"]
+KINDS = ("cue_ball", "slide_to_roll", "ball_ball", "ball_cushion", "ball_pocket")
+
+TIME = 1e-6
+"""Largest difference of times up to the first ball-ball contact, in s."""
+
+PLACE = {0: 1e-4, 1: 1e-4, 2: 2e-3}
+"""Largest difference of ends, in m, by the number of ball-ball contacts: pooltool moves balls 1e-6 m at each."""
+
+needs_cue_balls = pytest.mark.skipif("cue_ball" not in _engine.EVENT_KINDS, reason="the engine has no cue balls")
+
+
+def names(shots: list[dict[str, Any]]) -> list[str]:
+    return [shot["name"] for shot in shots]
+
+
+def scenario(shot: dict[str, Any]) -> carom.Scenario:
+    physics = REFERENCE["laws"][shot["laws"]]["physics"]
+    return carom.Scenario.from_dict(
+        {**REFERENCE["scenario"], "physics": physics, "balls": shot["balls"], "shot": shot["shot"]}
+    )
+
+
+def contacts(shot: dict[str, Any]) -> int:
+    return sum(event[1] == "ball_ball" for event in shot["events"])
+
+
+def theirs_up_to_the_first_contact(shot: dict[str, Any]) -> list[tuple[float, str, list[str]]]:
+    """pooltool's events as time, kind and balls."""
+    rows = [
+        (time, kind, sorted(words if kind == "ball_ball" else words[:1]))
+        for time, kind, *words in shot["events"]
+        if kind in KINDS and (shot.get("valid_until") is None or time <= shot["valid_until"])
+    ]
+    return up_to_the_first_contact(rows)
+
+
+def up_to_the_first_contact(rows: list[tuple[float, str, list[str]]]) -> list[tuple[float, str, list[str]]]:
+    ends = [k + 1 for k, (_, kind, _) in enumerate(rows) if kind == "ball_ball"]
+    return rows[: ends[0] if ends else None]
+
+
+@needs_cue_balls
+@pytest.mark.parametrize("shot", SHOTS, ids=names(SHOTS))
+def test_times_up_to_the_first_contact_of_balls(shot: dict[str, Any]) -> None:
+    run = scenario(shot).run()
+    rows = [(event.time, event.kind, sorted(event.balls)) for event in run.events if event.kind in KINDS]
+    theirs = theirs_up_to_the_first_contact(shot)
+    ours = up_to_the_first_contact(rows)[: len(theirs)]
+    assert [row[1:] for row in ours] == [row[1:] for row in theirs]
+    assert [row[0] for row in ours] == pytest.approx([row[0] for row in theirs], abs=TIME, rel=0)
+
+
+ENDING = [shot for shot in SHOTS if "end" in shot and shot["valid_until"] is None]
+
+
+@needs_cue_balls
+@pytest.mark.parametrize("shot", ENDING, ids=names(ENDING))
+def test_ends(shot: dict[str, Any]) -> None:
+    run = scenario(shot).run()
+    assert run.status == "at_rest"
+    for place, name in zip(run.positions(run.end_time), run.ball_ids, strict=True):
+        end = shot["end"][name]
+        assert np.isnan(place[0]) == isinstance(end, str), name
+        if not isinstance(end, str):
+            assert math.dist(place[:2], end) <= PLACE[contacts(shot)], name
+
+
+def test_the_reference_holds_together() -> None:
+    assert len(SHOTS) > 60
+    for shot in SHOTS:
+        times = [event[0] for event in shot["events"]]
+        assert times == sorted(times), shot["name"]
+        assert shot["events"][0] == [0.0, "cue_ball", "cue"]
+        ends = [place for place in shot.get("end", {}).values() if not isinstance(place, str)]
+        assert all(0 < x < 0.9906 and 0 < y < 1.9812 for x, y in ends), shot["name"]
+
+
+def test_the_laws_of_the_reference_are_those_that_are_read_today() -> None:
+    params = {"cue": REFERENCE["pooltool_ball"]}
+    for name, laws in REFERENCE["laws"].items():
+        assert physics_of_resolver(laws["pooltool"], params) == laws["physics"], name
+
+
+def test_every_law_and_every_kind_of_shot_occurs() -> None:
+    assert {shot["laws"] for shot in SHOTS} == set(REFERENCE["laws"])
+    wanted = {"no cushion", "one cushion", "cushions", "cushion first", "jaw", "pocket", "draw", "follow", "stun"}
+    assert wanted | {"side", "elevated", "break"} <= {word for shot in SHOTS for word in shot["shows"]}
+    assert {contacts(shot) for shot in SHOTS} >= {0, 1, 2}
