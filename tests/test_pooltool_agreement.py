@@ -18,10 +18,13 @@ REFERENCE = json.loads(
     (Path(__file__).parents[1] / "reference" / "pooltool" / "shots.json").read_text(encoding="utf-8")
 )
 SHOTS = REFERENCE["shots"]
+Row = tuple[float, str, list[str]]
+"""An event: time, kind and balls."""
+
 KINDS = ("cue_ball", "slide_to_roll", "ball_ball", "ball_cushion", "ball_pocket")
 
 TIME = 1e-6
-"""Largest difference of times up to the first ball-ball contact, in s."""
+"""Largest difference of times up to the first ball-ball contact, in s; without one, up to the first other contact."""
 
 PLACE = {0: 1e-4, 1: 1e-4, 2: 2e-3}
 """Largest difference of ends, in m, by the number of ball-ball contacts: pooltool moves balls 1e-6 m at each."""
@@ -44,8 +47,7 @@ def contacts(shot: dict[str, Any]) -> int:
     return sum(event[1] == "ball_ball" for event in shot["events"])
 
 
-def theirs_up_to_the_first_contact(shot: dict[str, Any]) -> list[tuple[float, str, list[str]]]:
-    """pooltool's events as time, kind and balls."""
+def theirs_up_to_the_first_contact(shot: dict[str, Any]) -> list[Row]:
     rows = [
         (time, kind, sorted(words if kind == "ball_ball" else words[:1]))
         for time, kind, *words in shot["events"]
@@ -54,9 +56,10 @@ def theirs_up_to_the_first_contact(shot: dict[str, Any]) -> list[tuple[float, st
     return up_to_the_first_contact(rows)
 
 
-def up_to_the_first_contact(rows: list[tuple[float, str, list[str]]]) -> list[tuple[float, str, list[str]]]:
-    ends = [k + 1 for k, (_, kind, _) in enumerate(rows) if kind == "ball_ball"]
-    return rows[: ends[0] if ends else None]
+def up_to_the_first_contact(rows: list[Row]) -> list[Row]:
+    kinds = [kind for _, kind, _ in rows]
+    ending = {"ball_ball"} if "ball_ball" in kinds else {"ball_cushion", "ball_pocket"}
+    return rows[: next((k + 1 for k, kind in enumerate(kinds) if kind in ending), None)]
 
 
 @needs_cue_balls

@@ -6,13 +6,13 @@ reference/pooltool/README.md says what is in it.
 """
 
 import json
-import math
 import tempfile
 from collections import Counter
 from pathlib import Path
 
 import pooltool_process
 import shots
+from agreement import OWN, TILTED, TIME, place_difference, time_difference
 
 from carom.pooltool import physics_of_resolver, scenario_of_system
 
@@ -30,9 +30,6 @@ KINDS = {
     "spinning_stationary": "spin_to_rest",
 }
 """pooltool's kinds of events in Carom's words."""
-
-TILTED = {"stronge", "impulse"}
-"""Cushion laws that take the blow's direction at a jaw from the middle of its arc, as if the nose were there."""
 
 SPREAD = {0: 5e-5, 1: 5e-5, 2: 1e-3}
 """How far balls may end elsewhere with a tenth of the spacer, in m, by the number of ball-ball contacts."""
@@ -85,8 +82,8 @@ def entry(pooltool, shot):
     if played["faults"] or again["faults"] or kinds(played) != kinds(again):
         return None
     contacts = sum(event[1] == "ball_ball" for event in played["events"])
-    spread = spread_of(played["end"], again["end"])
-    if spread > SPREAD.get(contacts, -1) and shot is not shots.EXAMPLE:
+    spread = place_difference(played, again)
+    if spread > SPREAD.get(contacts, -1) or (contacts and time_difference(played, again) > OWN * TIME):
         return None
     return {
         **described(shot, played),
@@ -123,13 +120,6 @@ def described(shot, played):
 
 def kinds(played):
     return [event[1:] for event in played["events"]]
-
-
-def spread_of(end, other):
-    """The largest distance between two ends of a ball; that of a ball pocketed once only has no bound."""
-    if any((end[name] is None) != (other[name] is None) for name in end):
-        return math.inf
-    return max(math.dist(end[name], other[name]) if end[name] else 0.0 for name in end)
 
 
 def in_words(event):
