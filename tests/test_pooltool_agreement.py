@@ -12,7 +12,7 @@ import pytest
 
 import carom
 from carom import _engine
-from carom.pooltool import physics_of_resolver
+from carom.pooltool import physics_of_resolver, read_system
 
 REFERENCE = json.loads(
     (Path(__file__).parents[1] / "reference" / "pooltool" / "shots.json").read_text(encoding="utf-8")
@@ -86,6 +86,14 @@ def test_ends(shot: dict[str, Any]) -> None:
         assert np.isnan(place[0]) == isinstance(end, str), name
         if not isinstance(end, str):
             assert math.dist(place[:2], end) <= PLACE[contacts(shot)], name
+
+
+@needs_cue_balls
+@pytest.mark.parametrize("name", ["nine_ball", "snooker", "three_cushion", "simulated"])
+def test_a_saved_system_runs_until_it_rests(name: str) -> None:
+    run = read_system(Path(__file__).parent / "pooltool" / f"{name}.json").run()
+    assert run.status == "at_rest"
+    assert run.events.by_kind("cue_ball")[0].time == 0
 
 
 def test_the_reference_holds_together() -> None:
