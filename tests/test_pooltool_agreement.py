@@ -26,6 +26,11 @@ KINDS = ("cue_ball", "slide_to_roll", "ball_ball", "ball_cushion", "ball_pocket"
 TIME = 1e-6
 """Largest difference of times up to the first ball-ball contact, in s; without one, up to the first other contact."""
 
+CONTACTS = ("ball_ball", "ball_cushion", "ball_pocket")
+
+LIMIT = 1e-7
+"""Largest difference of times in s and of ends in m from those of pooltool without its spacer, where that is exact."""
+
 PLACE = {0: 1e-4, 1: 1e-4, 2: 2e-3}
 """Largest difference of ends, in m, by the number of ball-ball contacts: pooltool moves balls 1e-6 m at each."""
 
@@ -71,6 +76,34 @@ def test_times_up_to_the_first_contact_of_balls(shot: dict[str, Any]) -> None:
     ours = up_to_the_first_contact(rows)[: len(theirs)]
     assert [row[1:] for row in ours] == [row[1:] for row in theirs]
     assert [row[0] for row in ours] == pytest.approx([row[0] for row in theirs], abs=TIME, rel=0)
+
+
+def is_integrated(shot: dict[str, Any]) -> bool:
+    """Tell whether pooltool goes through a blow of the shot in steps."""
+    return "mathavan" in shot["laws"]
+
+
+EXACT = [shot for shot in SHOTS if shot.get("valid_until") is None and not is_integrated(shot)]
+
+
+@needs_cue_balls
+@pytest.mark.parametrize("shot", EXACT, ids=names(EXACT))
+def test_contacts_are_those_of_pooltool_without_its_spacer(shot: dict[str, Any]) -> None:
+    run = scenario(shot).run()
+    theirs = [
+        (kind, words[0], time, known)
+        for (_, kind, *words), (time, known) in zip(shot["events"], shot["limit"]["times"], strict=True)
+        if kind in CONTACTS
+    ]
+    ours = [event for event in run.events if event.kind in CONTACTS][: len(theirs)]
+    for event, (kind, ball, time, known) in zip(ours, theirs, strict=True):
+        assert event.kind == kind
+        assert ball in event.balls
+        assert abs(event.time - time) <= LIMIT + 3 * known
+    for place, name in zip(run.positions(run.end_time), run.ball_ids, strict=True):
+        if name in shot["limit"].get("end", {}):
+            x, y, known = shot["limit"]["end"][name]
+            assert math.dist(place[:2], (x, y)) <= LIMIT + 3 * known, name
 
 
 ENDING = [shot for shot in SHOTS if "end" in shot and shot["valid_until"] is None]

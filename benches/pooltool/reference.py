@@ -34,6 +34,9 @@ KINDS = {
 SPREAD = {0: 5e-5, 1: 5e-5, 2: 1e-3}
 """How far balls may end elsewhere with a tenth of the spacer, in m, by the number of ball-ball contacts."""
 
+SPACERS = 1e-6, 1e-7, 1e-8
+"""How far balls are moved apart at a contact, in m: pooltool's own, and finer."""
+
 EACH, KEPT = 24, 3
 """Shots tried and shots kept for each pair of laws."""
 
@@ -77,13 +80,14 @@ def base_of(pooltool):
 
 
 def entry(pooltool, shot):
-    """Play a shot twice, the second time with a tenth of the spacer; None where that is no measure for anyone."""
-    played, again = pooltool.ask("play", shot), pooltool.ask("play", shot, spacer=1e-7)
-    if played["faults"] or again["faults"] or kinds(played) != kinds(again):
+    """Play a shot with three spacers; None where that is no measure for anyone."""
+    plays = [pooltool.ask("play", shot, spacer=spacer) for spacer in SPACERS]
+    played, finer, _ = plays
+    if any(play["faults"] or kinds(play) != kinds(played) for play in plays):
         return None
     contacts = sum(event[1] == "ball_ball" for event in played["events"])
-    spread = place_difference(played, again)
-    if spread > SPREAD.get(contacts, -1) or (contacts and time_difference(played, again) > OWN * TIME):
+    spread = place_difference(played, finer)
+    if spread > SPREAD.get(contacts, -1) or (contacts and time_difference(played, finer) > OWN * TIME):
         return None
     return {
         **described(shot, played),
@@ -92,15 +96,43 @@ def entry(pooltool, shot):
         "end": {name: place or pocket_of(name, played["events"]) for name, place in played["end"].items()},
         "spread": float(f"{spread:.1e}"),
         "valid_until": tilted_from(shot, played["events"]),
+        "limit": {"times": limit_of_times(plays), "end": limit_of_ends(plays)},
     }
 
 
 def break_entry(pooltool, shot):
     """The first events of a break, up to the tenth contact: what follows is chaos."""
-    played = pooltool.ask("play", shot)
-    assert not played["faults"], shot
-    events = played["events"][: tenth_contact(played["events"])]
-    return {**described(shot, played), "shows": ["break"], "events": [in_words(event) for event in events]}
+    plays = [pooltool.ask("play", shot, spacer=spacer) for spacer in SPACERS]
+    for play in plays:
+        play["events"] = play["events"][: tenth_contact(play["events"])]
+        assert not play["faults"] and kinds(play) == kinds(plays[0]), shot
+    return {
+        **described(shot, plays[0]),
+        "shows": ["break"],
+        "events": [in_words(event) for event in plays[0]["events"]],
+        "limit": {"times": limit_of_times(plays)},
+    }
+
+
+def limit_of_times(plays):
+    """Each event's time without a spacer, and how well it is known."""
+    return [limit([[event[0]] for event in events]) for events in zip(*(play["events"] for play in plays), strict=True)]
+
+
+def limit_of_ends(plays):
+    """Where each ball ends without a spacer, and how well that is known; balls in pockets are not among them."""
+    return {name: limit([play["end"][name] for play in plays]) for name, place in plays[0]["end"].items() if place}
+
+
+def limit(values):
+    """Carry values at the three spacers on to a spacer of zero; last comes by how much the coarser two would miss it.
+
+    Each spacer is a tenth of the one before, and values are straight lines in it, nearly.
+    """
+    coarse, finer, finest = values
+    limits = [y + (y - x) / 9 for x, y in zip(finer, finest, strict=True)]
+    missed = max(abs(y + (y - x) / 9 - end) for x, y, end in zip(coarse, finer, limits, strict=True))
+    return [*limits, float(f"{missed:.0e}")]
 
 
 def tenth_contact(events):
