@@ -1,7 +1,7 @@
 //! Several balls in touch when one of them is struck.
 
 use super::Spheres;
-use super::contact::{Present, by_place, contact_event};
+use super::contact::{Present, by_place, contact_event, threshold};
 use super::ending::Cause;
 use crate::geometry::Vec3;
 use crate::law::ball_ball::SphereLaw;
@@ -34,10 +34,10 @@ impl<S: Scalar> Spheres<S> {
         let mut bodies: Bodies<S> =
             members.iter().map(|m| Body::new(m.twist.velocity, m.sphere.inverse_mass)).collect();
         let mut touches = self.touches(&members);
-        self.resolve_normal(&mut bodies, &mut touches);
-        if touches.iter().all(|touch| touch.impulse <= S::ZERO) {
+        if !touches.iter().any(|touch| is_closing(&members, touch)) {
             return false;
         }
+        self.resolve_normal(&mut bodies, &mut touches);
         let mut twists: Vec<Twist<S>> = members.iter().map(|m| m.twist).collect();
         if self.rub(&members, &touches, &mut bodies, &mut twists) {
             self.resolve_normal(&mut bodies, &mut touches);
@@ -202,6 +202,13 @@ impl<S: Scalar> Spheres<S> {
             self.emit(event, observer);
         }
     }
+}
+
+/// Whether the balls of a contact move into each other, and are not only pressed together.
+fn is_closing<S: Scalar>(members: &[Present<S>], touch: &Touch<S, Vec3<S>, SphereLaw<S>>) -> bool {
+    let pair = [members[touch.a], members[touch.b.unwrap_or(touch.a)]];
+    let speed = (pair[0].twist.velocity - pair[1].twist.velocity).dot(touch.normal);
+    speed > threshold(&pair, touch.kept_speed)
 }
 
 /// The slip of the first ball's surface on the second's.

@@ -66,9 +66,8 @@ impl<S: Scalar> Spheres<S> {
         let [a, b] = &balls;
         let normal = (b.position - a.position).unit();
         let closing_speed = (a.twist.velocity - b.twist.velocity).dot(normal);
-        let scale = size(&a.sphere, &a.twist) + size(&b.sphere, &b.twist);
         let kept_speed = self.kept_speed(a.ball, Some(b.ball));
-        let impact = if closing_speed > scale * S::from_f64(16.0 * S::EPSILON) {
+        let impact = if closing_speed > threshold(&balls, kept_speed) {
             let law = &self.system.ball_ball;
             let restitution = restitution_keeping(law.restitution(closing_speed), kept_speed, closing_speed);
             let on_cloth = [a, b].map(|present| self.balls[present.ball].flight.motion != Motion::Airborne);
@@ -151,6 +150,13 @@ impl<S: Scalar> Spheres<S> {
             self.predict(*ball);
         }
     }
+}
+
+/// The closing speed below which balls are pressed together rather than meet: round-off of their speeds now, and of those
+/// that these are what is left of, for which the speed of a hop stands.
+pub(super) fn threshold<S: Scalar>(balls: &[Present<S>], kept_speed: S) -> S {
+    let speeds = balls.iter().fold(S::ZERO, |sum, ball| sum + size(&ball.sphere, &ball.twist));
+    speeds * S::from_f64(16.0 * S::EPSILON) + kept_speed * S::from_f64(1e-9)
 }
 
 /// What becomes of two balls that are pressed together without closing: they part with a hop too low to see, paid for by

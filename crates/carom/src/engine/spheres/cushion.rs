@@ -1,7 +1,7 @@
 //! A ball meets a cushion.
 
-use super::contact::pay;
-use super::ending::{Cause, size};
+use super::contact::{pay, threshold};
+use super::ending::Cause;
 use super::{Ball, Spheres};
 use crate::flight::Motion;
 use crate::geometry::{Vec2, Vec3};
@@ -25,9 +25,8 @@ impl<S: Scalar> Spheres<S> {
         let hit = self.hit(ball, cushion, present.position, present.twist);
         let normal = hit.contact_normal();
         let closing_speed = hit.closing_speed();
-        let scale = size(&hit.sphere, &hit.twist);
         let kept_speed = self.kept_speed(ball, None);
-        let after = if closing_speed > scale * S::from_f64(16.0 * S::EPSILON) {
+        let after = if closing_speed > threshold(&[present], kept_speed) {
             let law = &self.system.cushion_laws[cushion as usize];
             let restitution = restitution_keeping(law.restitution(closing_speed), kept_speed, closing_speed);
             law.rebound(&hit, restitution)
