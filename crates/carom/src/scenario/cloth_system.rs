@@ -38,7 +38,10 @@ pub struct ClothSystem<S> {
     pub ball_ball: ball_ball::SphereLaw<S>,
     /// The law of several contacts at one instant.
     pub cluster: Cluster,
-    /// For each ball the speed up to which contacts lose nothing: v_c = 0.005 √(2 g R).
+    /// For each ball the time t_c = 0.05 √(2R/g): balls that are pressed together hop for so long, and contacts that
+    /// follow each other faster lose nothing up to v_c.
+    pub hop_times: Vec<S>,
+    /// For each ball that speed, v_c = 0.005 √(2 g R).
     pub kept_speeds: Vec<S>,
     /// For each ball the time within which contacts count as following each other too fast: 1e-3 √(2R/g).
     pub collapse_times: Vec<S>,
@@ -114,6 +117,7 @@ impl<S: Scalar> ClothSystem<S> {
             .of_table(&table),
             ball_ball: ball_ball_law(scenario.physics.ball_ball(), number),
             cluster: scenario.physics.cluster(),
+            hop_times: spheres.iter().map(|sphere| fall(sphere, &cloth).0 * S::from_f64(HOP_TIME)).collect(),
             kept_speeds: spheres
                 .iter()
                 .map(|sphere| fall(sphere, &cloth).1 * S::from_f64(KEPT_SPEED))
@@ -132,11 +136,14 @@ impl<S: Scalar> ClothSystem<S> {
     }
 }
 
-/// The part of the speed of a fall from a ball's height up to which contacts lose nothing.
+/// t_c as a part of the time √(2R/g) in which a ball falls by its radius.
+const HOP_TIME: f64 = 0.05;
+
+/// v_c as a part of the speed √(2gR) of that fall.
 const KEPT_SPEED: f64 = 0.005;
 
-/// The time that a ball takes to fall by its own height, √(2·2R/g) less a factor √2, and the speed √(2gR) of a fall by its
-/// radius; infinite and zero without gravity.
+/// The time √(2R/g) in which a ball falls by its radius, and the speed √(2gR) that it then has; both zero without gravity,
+/// where no friction presses balls together.
 fn fall<S: Scalar>(sphere: &Sphere<S>, cloth: &Cloth<S>) -> (S, S) {
     let two = S::from_f64(2.0);
     let time = if cloth.gravity > S::ZERO { (two * sphere.radius / cloth.gravity).sqrt() } else { S::ZERO };

@@ -33,7 +33,7 @@ impl<S: Scalar> Spheres<S> {
         }
         let mut bodies: Bodies<S> =
             members.iter().map(|m| Body::new(m.twist.velocity, m.sphere.inverse_mass)).collect();
-        let mut touches = self.touches(&members);
+        let mut touches = self.touches(&members, time);
         if !touches.iter().any(|touch| is_closing(&members, touch)) {
             return false;
         }
@@ -78,7 +78,7 @@ impl<S: Scalar> Spheres<S> {
     }
 
     /// The contacts of the members, in order of place.
-    fn touches(&self, members: &[Present<S>]) -> Touches<S> {
+    fn touches(&self, members: &[Present<S>], time: S) -> Touches<S> {
         let mut touches = Vec::new();
         for (first, a) in members.iter().enumerate() {
             for (second, b) in members.iter().enumerate().skip(first + 1) {
@@ -86,7 +86,7 @@ impl<S: Scalar> Spheres<S> {
                     let normal = (b.position - a.position).unit();
                     let touch = Touch {
                         effective_radius: effective_radius(a.sphere.radius, Some(b.sphere.radius)),
-                        kept_speed: self.kept_speed(a.ball, Some(b.ball)),
+                        kept_speed: self.kept_speed(a.ball, Some(b.ball), time),
                         ..Touch::new(first, Some(second), normal, self.system.ball_ball)
                     };
                     touches.push(touch);
@@ -208,7 +208,7 @@ impl<S: Scalar> Spheres<S> {
 fn is_closing<S: Scalar>(members: &[Present<S>], touch: &Touch<S, Vec3<S>, SphereLaw<S>>) -> bool {
     let pair = [members[touch.a], members[touch.b.unwrap_or(touch.a)]];
     let speed = (pair[0].twist.velocity - pair[1].twist.velocity).dot(touch.normal);
-    speed > threshold(&pair, touch.kept_speed)
+    speed > threshold(&pair)
 }
 
 /// The slip of the first ball's surface on the second's.

@@ -3,7 +3,7 @@
 use super::contact::{pay, threshold};
 use super::ending::Cause;
 use super::{Ball, Spheres};
-use crate::flight::Motion;
+use crate::flight::{Motion, SphereFlight};
 use crate::geometry::{Vec2, Vec3};
 use crate::law::ball_cushion::CushionHit;
 use crate::law::collapse::restitution_keeping;
@@ -25,15 +25,21 @@ impl<S: Scalar> Spheres<S> {
         let hit = self.hit(ball, cushion, present.position, present.twist);
         let normal = hit.contact_normal();
         let closing_speed = hit.closing_speed();
-        let kept_speed = self.kept_speed(ball, None);
-        let after = if closing_speed > threshold(&[present], kept_speed) {
+        let kept_speed = self.kept_speed(ball, None, time);
+        let after = if closing_speed > threshold(&[present]) {
             let law = &self.system.cushion_laws[cushion as usize];
             let restitution = restitution_keeping(law.restitution(closing_speed), kept_speed, closing_speed);
             law.rebound(&hit, restitution)
         } else {
-            hop(&hit, kept_speed + closing_speed)
+            hit.twist
         };
-        let flight = self.flight_after(ball, time, present.position, &hit.twist, after, Cause::Cushion);
+        let new_flight =
+            |after| self.flight_after(ball, time, present.position, &hit.twist, after, Cause::Cushion);
+        let after = match self.lacking_speed(ball, &new_flight(after), hit.normal) {
+            Some(lacking) => hop(&hit, after, lacking),
+            None => after,
+        };
+        let flight = new_flight(after);
         let impulse = (after.velocity - hit.twist.velocity).dot(normal) * hit.sphere.mass;
         self.note_contact(ball, time);
         self.account_for_contact(ball, &hit.twist, &flight);
@@ -51,6 +57,14 @@ impl<S: Scalar> Spheres<S> {
             cluster: None,
         };
         self.emit(&event, observer);
+    }
+
+    /// What a ball that is pulled onto a cushion lacks of the speed of a hop that lasts t_c.
+    fn lacking_speed(&self, ball: usize, flight: &SphereFlight<S>, normal: Vec2<S>) -> Option<S> {
+        let pull = -flight.plan.acceleration.dot(normal);
+        let hop_time = self.system.hop_times[ball] * S::from_f64(0.5);
+        let lacking = pull * hop_time - flight.plan.velocity.dot(normal);
+        (pull > S::ZERO && lacking > S::ZERO).then_some(lacking)
     }
 
     /// A ball at the nose of a cushion.
@@ -72,13 +86,12 @@ impl<S: Scalar> Spheres<S> {
     }
 }
 
-/// What becomes of a ball that is pressed against a cushion without closing: it parts with a hop too low to see, paid for
-/// by all its motion.
-fn hop<S: Scalar>(hit: &CushionHit<S>, speed: S) -> Twist<S> {
-    let push = hit.normal * speed;
-    let velocity = hit.twist.velocity + Vec3::above(Vec2::new(push.x, push.y), S::ZERO);
-    let mut twists = [Twist { velocity, ..hit.twist }];
-    let (before, after) = (hit.sphere.kinetic_energy(&hit.twist), hit.sphere.kinetic_energy(&twists[0]));
+/// What becomes of a ball that parts from a cushion by so much faster, with a hop too low to see, which is paid for by all
+/// its motion.
+fn hop<S: Scalar>(hit: &CushionHit<S>, twist: Twist<S>, speed: S) -> Twist<S> {
+    let velocity = twist.velocity + Vec3::above(hit.normal * speed, S::ZERO);
+    let mut twists = [Twist { velocity, ..twist }];
+    let (before, after) = (hit.sphere.kinetic_energy(&twist), hit.sphere.kinetic_energy(&twists[0]));
     pay(&mut twists, before, after);
     twists[0]
 }
