@@ -82,14 +82,17 @@ impl<S: Scalar> Spheres<S> {
         meeting
     }
 
-    /// Two balls that are pressed together, because one brakes harder, part with a hop that lasts t_c at least; else they
-    /// would meet without end.
+    /// Two balls that are pressed together, because one brakes harder, part with a hop that lasts t_c at least, and with
+    /// more than round-off in any case; else they would meet without end.
     fn let_hop(&self, meeting: &mut Meeting<S>, time: S) {
         let [a, b] = self.flights_of(meeting, time).map(|(_, flight)| flight.plan);
         let normal = meeting.normal.plan();
         let pull = (a.acceleration - b.acceleration).dot(normal);
-        let lacking = pull * self.hop_time(&meeting.balls) - (b.velocity - a.velocity).dot(normal);
-        if pull > S::ZERO && lacking > S::ZERO {
+        let round_off = threshold(&meeting.balls) * S::from_f64(4.0);
+        let hop_speed = pull * self.hop_time(&meeting.balls);
+        let least = if hop_speed > round_off { hop_speed } else { round_off };
+        let lacking = least - (b.velocity - a.velocity).dot(normal);
+        if lacking > S::ZERO {
             let spheres = meeting.balls.map(|ball| ball.sphere);
             let SphereImpact { twists, impulse } = meeting.impact;
             let hop = hop([(spheres[0], twists[0]), (spheres[1], twists[1])], meeting.normal, lacking);

@@ -1,6 +1,6 @@
 //! A ball meets a cushion.
 
-use super::contact::{pay, threshold};
+use super::contact::{Present, pay, threshold};
 use super::ending::Cause;
 use super::{Ball, Spheres};
 use crate::flight::{Motion, SphereFlight};
@@ -35,7 +35,7 @@ impl<S: Scalar> Spheres<S> {
         };
         let new_flight =
             |after| self.flight_after(ball, time, present.position, &hit.twist, after, Cause::Cushion);
-        let after = match self.lacking_speed(ball, &new_flight(after), hit.normal) {
+        let after = match self.lacking_speed(&present, &new_flight(after), hit.normal) {
             Some(lacking) => hop(&hit, after, lacking),
             None => after,
         };
@@ -59,12 +59,14 @@ impl<S: Scalar> Spheres<S> {
         self.emit(&event, observer);
     }
 
-    /// What a ball that is pulled onto a cushion lacks of the speed of a hop that lasts t_c.
-    fn lacking_speed(&self, ball: usize, flight: &SphereFlight<S>, normal: Vec2<S>) -> Option<S> {
+    /// What a ball that is pulled onto a cushion lacks of the speed of a hop that lasts t_c, and any of more than round-off.
+    fn lacking_speed(&self, ball: &Present<S>, flight: &SphereFlight<S>, normal: Vec2<S>) -> Option<S> {
         let pull = -flight.plan.acceleration.dot(normal);
-        let hop_time = self.system.hop_times[ball] * S::from_f64(0.5);
-        let lacking = pull * hop_time - flight.plan.velocity.dot(normal);
-        (pull > S::ZERO && lacking > S::ZERO).then_some(lacking)
+        let hop_speed = pull * self.system.hop_times[ball.ball] * S::from_f64(0.5);
+        let round_off = threshold(&[*ball]) * S::from_f64(4.0);
+        let least = if hop_speed > round_off { hop_speed } else { round_off };
+        let lacking = least - flight.plan.velocity.dot(normal);
+        (lacking > S::ZERO).then_some(lacking)
     }
 
     /// A ball at the nose of a cushion.
