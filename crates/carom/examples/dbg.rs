@@ -8,7 +8,7 @@ fn main() {
     let (mut sim, mut log) = start::<OnCloth>(&scenario, None);
     while sim.step(&mut log).unwrap() {}
     println!("{:?} {} events {:?}", sim.status(), log.events.len(), sim.diagnostics());
-    let n = log.events.len().saturating_sub(60);
+    let n = log.events.len().saturating_sub(4);
     for e in &log.events[n..] {
         println!(
             "{:.12} {} {} {:?} v={:e} J={:e} cl={:?}",
@@ -20,5 +20,12 @@ fn main() {
             e.impulse,
             e.cluster
         );
+        for b in [Some(e.ball_a), e.ball_b].into_iter().flatten() {
+            let f: Vec<_> = log.flights.iter().filter(|(k, _)| *k == b).collect();
+            let l = f.len();
+            for k in [l - 2, l - 1] {
+                println!("   {b} {:?}", f[k].1);
+            }
+        }
     }
 }

@@ -85,13 +85,14 @@ impl<S: Scalar> Spheres<S> {
     /// Two balls that are pressed together, because one brakes harder, part with a hop that lasts t_c at least, and with
     /// more than round-off in any case; else they would meet without end.
     fn let_hop(&self, meeting: &mut Meeting<S>, time: S) {
-        let [a, b] = self.flights_of(meeting, time).map(|(_, flight)| flight.plan);
-        let normal = meeting.normal.plan();
-        let pull = (a.acceleration - b.acceleration).dot(normal);
+        let [a, b] = self.flights_of(meeting, time).map(|(_, flight)| flight);
+        let normal = meeting.normal;
+        let pull = (a.acceleration() - b.acceleration()).dot(normal);
         let round_off = threshold(&meeting.balls) * S::from_f64(4.0);
         let hop_speed = pull * self.hop_time(&meeting.balls);
         let least = if hop_speed > round_off { hop_speed } else { round_off };
-        let lacking = least - (b.velocity - a.velocity).dot(normal);
+        let parting = b.velocity_after(S::ZERO) - a.velocity_after(S::ZERO);
+        let lacking = least - parting.dot(normal);
         if lacking > S::ZERO {
             let spheres = meeting.balls.map(|ball| ball.sphere);
             let SphereImpact { twists, impulse } = meeting.impact;

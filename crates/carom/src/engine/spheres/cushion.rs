@@ -4,7 +4,7 @@ use super::contact::{Present, pay, threshold};
 use super::ending::Cause;
 use super::{Ball, Spheres};
 use crate::flight::{Motion, SphereFlight};
-use crate::geometry::{Vec2, Vec3};
+use crate::geometry::Vec3;
 use crate::law::ball_cushion::CushionHit;
 use crate::law::collapse::restitution_keeping;
 use crate::model::Twist;
@@ -35,7 +35,7 @@ impl<S: Scalar> Spheres<S> {
         };
         let new_flight =
             |after| self.flight_after(ball, time, present.position, &hit.twist, after, Cause::Cushion);
-        let after = match self.lacking_speed(&present, &new_flight(after), hit.normal) {
+        let after = match self.lacking_speed(&present, &new_flight(after), hit.closing_normal()) {
             Some(lacking) => hop(&hit, after, lacking),
             None => after,
         };
@@ -60,12 +60,12 @@ impl<S: Scalar> Spheres<S> {
     }
 
     /// What a ball that is pulled onto a cushion lacks of the speed of a hop that lasts t_c, and any of more than round-off.
-    fn lacking_speed(&self, ball: &Present<S>, flight: &SphereFlight<S>, normal: Vec2<S>) -> Option<S> {
-        let pull = -flight.plan.acceleration.dot(normal);
+    fn lacking_speed(&self, ball: &Present<S>, flight: &SphereFlight<S>, normal: Vec3<S>) -> Option<S> {
+        let pull = -flight.acceleration().dot(normal);
         let hop_speed = pull * self.system.hop_times[ball.ball] * S::from_f64(0.5);
         let round_off = threshold(&[*ball]) * S::from_f64(4.0);
         let least = if hop_speed > round_off { hop_speed } else { round_off };
-        let lacking = least - flight.plan.velocity.dot(normal);
+        let lacking = least - flight.velocity_after(S::ZERO).dot(normal);
         (lacking > S::ZERO).then_some(lacking)
     }
 
@@ -91,7 +91,7 @@ impl<S: Scalar> Spheres<S> {
 /// What becomes of a ball that parts from a cushion by so much faster, with a hop too low to see, which is paid for by all
 /// its motion.
 fn hop<S: Scalar>(hit: &CushionHit<S>, twist: Twist<S>, speed: S) -> Twist<S> {
-    let velocity = twist.velocity + Vec3::above(hit.normal * speed, S::ZERO);
+    let velocity = twist.velocity + hit.closing_normal() * speed;
     let mut twists = [Twist { velocity, ..twist }];
     let (before, after) = (hit.sphere.kinetic_energy(&twist), hit.sphere.kinetic_energy(&twists[0]));
     pay(&mut twists, before, after);
