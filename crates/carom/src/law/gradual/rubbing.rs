@@ -3,9 +3,10 @@
 use super::response::{Impulse, Response};
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;
+use core::array::from_fn;
 
-/// Rounds over the places in which the frictions of held and sliding places settle.
-const ROUNDS: usize = 10;
+/// Steffensen's steps to frictions that depend on each other.
+const CYCLES: usize = 2;
 
 /// Newton steps to the friction of a place that starts to slip.
 const NEWTON_STEPS: usize = 6;
@@ -36,16 +37,41 @@ impl<S: Scalar, const N: usize> Surfaces<S, N> {
     #[inline(always)]
     pub(super) fn rubbing(&self, slips: &[Vec2<S>; N], held: [bool; N]) -> Rubbing<S, N> {
         let speeds = slips.map(Vec2::norm);
-        let mut found = Rubbing { rubs: [Vec2::ZERO; N], limits: [S::ZERO; N], is_held: [false; N] };
-        let holds = |k: usize| held[k] || speeds[k] <= self.still;
-        for _ in 0..if holds(0) { ROUNDS } else { 1 } {
-            for k in 0..N {
-                found.limits[k] = self.limit(k, found.rubs[0]);
-                if holds(k) {
-                    (found.rubs[k], found.is_held[k]) = self.holding(k, &found);
-                } else {
-                    found.rubs[k] = slips[k] * (found.limits[k] / speeds[k]); // (1)
-                }
+        let holds = from_fn(|k| held[k] || speeds[k] <= self.still);
+        let along = from_fn(|k| if holds[k] { Vec2::ZERO } else { slips[k] * (S::ONE / speeds[k]) });
+        let found = Rubbing { rubs: [Vec2::ZERO; N], limits: [S::ZERO; N], is_held: [false; N] };
+        if holds[0] { self.settled(found, &along, holds) } else { self.round(found, &along, holds) }
+    }
+
+    /// Where the bodies meet, what holds depends on the friction on the cloth, whose load depends on what holds.
+    ///
+    /// Rounds in turn settle that, with Steffensen's steps: the dependence is linear, but for places that start to slip.
+    fn settled(&self, mut found: Rubbing<S, N>, along: &[Vec2<S>; N], holds: [bool; N]) -> Rubbing<S, N> {
+        for _ in 0..CYCLES {
+            let before = found.rubs[0].y;
+            found = self.round(found, along, holds);
+            let change = found.rubs[0].y - before;
+            found = self.round(found, along, holds);
+            let bend = found.rubs[0].y - before - change - change;
+            if bend != S::ZERO {
+                found.rubs[0].y = before - change.squared() / bend;
+            }
+        }
+        self.round(found, along, holds)
+    }
+
+    /// The friction on the cloth with the loads of `last`, then where the bodies meet: what holds there holds exactly.
+    #[inline(always)]
+    fn round(&self, last: Rubbing<S, N>, along: &[Vec2<S>; N], holds: [bool; N]) -> Rubbing<S, N> {
+        let mut found = last;
+        let first_rub = if holds[0] { last.rubs[0] } else { along[0] * self.frictions[0] };
+        found.rubs[0] = first_rub;
+        for k in (0..N).rev() {
+            found.limits[k] = self.limit(k, first_rub);
+            if holds[k] {
+                (found.rubs[k], found.is_held[k]) = self.holding(k, &found);
+            } else {
+                found.rubs[k] = along[k] * found.limits[k]; // (1)
             }
         }
         found
