@@ -20,6 +20,7 @@ impl<S: Scalar> Run<S> {
         if self.diagnostics.cluster_passes > 0 {
             sources.push(match self.system.cluster {
                 Cluster::Reflections => cluster::reflections::REFERENCES,
+                Cluster::Hertz => cluster::hertz::REFERENCES,
                 Cluster::Pairwise => cluster::pairwise::REFERENCES,
             });
         }

@@ -30,6 +30,7 @@ fn scenes() -> Vec<(String, Scenario)> {
             "ball_cushion": { "law": "damping", "factor": 0.7 } }),
         json!({ "ball_ball": { "law": "restitution", "normal": 0.3 }, "collapse": "tc" }),
         json!({ "cluster": "pairwise" }),
+        json!({ "cluster": "hertz", "ball_ball": { "law": "restitution", "normal": 0.9 } }),
     ];
     for seed in 0..60 {
         let mut random = Random::new(seed);

@@ -18,6 +18,8 @@ mod dual;
 mod extremes;
 mod fast_path;
 mod heaps;
+mod hertz;
+mod hertz_invariants;
 mod kit;
 mod laws;
 mod leaks;

@@ -4,7 +4,7 @@ use crate::kit::bundled;
 use crate::kit::scenes::{ball, rectangle, scenario};
 use carom::law::{Reference, ball_ball, ball_cushion, cluster, collapse};
 use carom::run::{Run, Steps};
-use carom::scenario::schema::{BallBall, Collapse, Record};
+use carom::scenario::schema::{BallBall, Cluster, Collapse, Record};
 use carom::simulate::simulate;
 use serde_json::{Value, json};
 
@@ -54,8 +54,10 @@ fn a_cluster_law_is_named_where_balls_met_at_once() {
     let mut cradle = bundled("newtons_cradle");
     cradle.physics.collapse = Collapse::Stop;
     assert!(laws_of(&simulate(&cradle).unwrap()).contains(&"cluster.reflections"));
-    cradle.physics.cluster = carom::scenario::schema::Cluster::Pairwise;
-    assert!(laws_of(&simulate(&cradle).unwrap()).contains(&"cluster.pairwise"));
+    for (law, name) in [(Cluster::Pairwise, "cluster.pairwise"), (Cluster::Hertz, "cluster.hertz")] {
+        cradle.physics.cluster = law;
+        assert!(laws_of(&simulate(&cradle).unwrap()).contains(&name));
+    }
 }
 
 #[test]
@@ -65,10 +67,11 @@ fn a_run_without_events_names_the_laws_of_its_cushions() {
 
 #[test]
 fn every_law_says_where_it_comes_from() {
-    let sources: [(&str, &[Reference]); 6] = [
+    let sources: [(&str, &[Reference]); 7] = [
         ("ball_ball", ball_ball::Law::<f64>::ELASTIC.references()),
         ("ball_cushion", ball_cushion::Law::<f64>::ELASTIC.references()),
         ("cluster", cluster::reflections::REFERENCES),
+        ("cluster", cluster::hertz::REFERENCES),
         ("cluster", cluster::pairwise::REFERENCES),
         ("collapse", collapse::REFERENCES),
         ("method", Steps::<f64>::REFERENCES),

@@ -362,7 +362,7 @@ fn whatever_happens_a_run_ends_with_a_status() {
             physics.as_object_mut().unwrap().remove("flight");
         }
         physics["collapse"] = (*random.choose(&["stop", "tc"])).into();
-        physics["cluster"] = (*random.choose(&["reflections", "pairwise"])).into();
+        physics["cluster"] = (*random.choose(&["reflections", "hertz", "pairwise"])).into();
         let mut scenario: Scenario = scenario(table, &physics, &balls);
         (scenario.duration, scenario.max_events) = (Some(20.0), Some(20_000));
         let run = simulate(&scenario).unwrap_or_else(|error| panic!("seed {seed}, {name}: {error}"));

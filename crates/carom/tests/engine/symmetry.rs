@@ -26,11 +26,14 @@ fn renumbering_balls_and_cushions_changes_no_bit() {
 
 /// Laws under which contacts at one instant are resolved.
 fn cluster_physics(number: u64) -> Value {
-    match number % 4 {
+    match number % 6 {
         0 => json!({}),
         1 => json!({ "ball_ball": { "law": "restitution", "normal": 0.5 },
             "ball_cushion": { "law": "restitution", "normal": 0.7 } }),
         2 => json!({ "ball_cushion": { "law": "damping", "factor": 0.5 } }),
+        3 => json!({ "cluster": "hertz" }),
+        4 => json!({ "cluster": "hertz", "ball_ball": { "law": "restitution", "normal": 0.5 },
+            "ball_cushion": { "law": "restitution", "normal": 0.7 } }),
         _ => json!({ "cluster": "pairwise" }),
     }
 }

@@ -4,7 +4,7 @@ use super::{Contact, Member};
 use crate::engine::Discs;
 use crate::law::ball_ball;
 use crate::law::cluster::{
-    Body, DiscLaw, Passes, Touch, effective_radius, resolve_pairwise, resolve_reflections,
+    Body, DiscLaw, Passes, Touch, effective_radius, resolve_hertz, resolve_pairwise, resolve_reflections,
 };
 use crate::run::Event;
 use crate::scalar::Scalar;
@@ -43,6 +43,7 @@ impl<S: Scalar> Discs<S> {
     fn resolve_normal(&mut self, bodies: &mut [Body<S>], touches: &mut [Touch<S>]) {
         let Passes { count, forced } = match self.system.cluster {
             Cluster::Reflections => resolve_reflections(bodies, touches),
+            Cluster::Hertz => resolve_hertz(bodies, touches),
             Cluster::Pairwise => resolve_pairwise(bodies, touches),
         };
         self.diagnostics.cluster_passes += u64::from(count);

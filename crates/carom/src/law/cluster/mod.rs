@@ -4,9 +4,12 @@
 //! of their place, never of their numbers, so that a renumbering changes no bit.
 
 mod complementarity;
+pub mod hertz;
 pub mod pairwise;
 pub mod reflections;
+mod spring;
 
+pub use hertz::resolve_hertz;
 pub use pairwise::resolve_pairwise;
 pub use reflections::resolve_reflections;
 
@@ -70,7 +73,8 @@ pub struct Touch<S, V = Vec2<S>, L = DiscLaw<S>> {
     pub normal: V,
     /// What says how much of the closing speed it gives back.
     pub law: L,
-    /// What the law `hertz` takes for its size: see [`effective_radius`].
+    /// What the law `hertz` takes its stiffness from: see [`effective_radius`]. Zero, where a point is in contact, counts as
+    /// the largest of the cluster.
     pub effective_radius: S,
     /// Closing speeds up to this are given back in full, faster ones at least that far.
     pub kept_speed: S,

@@ -98,6 +98,8 @@ pub enum Cluster {
     /// All closing contacts at once, again and again until none closes.
     #[default]
     Reflections,
+    /// As stiff elastic balls do, which press on all their neighbours for the short while that a contact takes.
+    Hertz,
     /// One contact after the other.
     Pairwise,
 }

@@ -4,6 +4,7 @@ pub mod images;
 pub mod random;
 pub mod room;
 pub mod scenes;
+pub mod touching;
 
 use carom::engine::{Limits, Simulation};
 use carom::flight::State;
