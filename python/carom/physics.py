@@ -84,7 +84,7 @@ class Physics(Section):
         What happens when a ball meets a cushion.
     cushions : mapping of str to CushionLaw, optional
         Laws of single cushions, by the cushion's id, in place of `ball_cushion`.
-    cluster : "reflections" or "pairwise", optional
+    cluster : "reflections", "hertz" or "pairwise", optional
         How contacts at one instant are resolved.
     collapse : "stop" or "tc", optional
         What is done when a ball's contacts follow each other without end in a finite time: the run stops, or contacts
@@ -101,5 +101,5 @@ class Physics(Section):
     ball_ball: BallLaw | None = None
     ball_cushion: CushionLaw | None = None
     cushions: Mapping[str, CushionLaw] | None = None
-    cluster: Literal["reflections", "pairwise"] | None = None
+    cluster: Literal["reflections", "hertz", "pairwise"] | None = None
     collapse: Literal["stop", "tc"] | None = None
