@@ -16,6 +16,9 @@ use crate::scenario::schema::Cluster;
 /// A gap up to this many contact tolerances counts as a contact when a ball of it is struck.
 const HAIR: f64 = 1e4;
 
+/// The part of v_c up to which balls that touch are pressed together rather than struck.
+const CREEP: f64 = 0.01;
+
 type Bodies<S> = Vec<Body<S, Vec3<S>>>;
 type Touches<S> = Vec<Touch<S, Vec3<S>, SphereLaw<S>>>;
 
@@ -34,7 +37,7 @@ impl<S: Scalar> Spheres<S> {
         let mut bodies: Bodies<S> =
             members.iter().map(|m| Body::new(m.twist.velocity, m.sphere.inverse_mass)).collect();
         let mut touches = self.touches(&members, time);
-        if !touches.iter().any(|touch| is_closing(&members, touch)) {
+        if !touches.iter().any(|touch| self.is_closing(&members, touch)) {
             return false;
         }
         self.resolve_normal(&mut bodies, &mut touches);
@@ -94,6 +97,15 @@ impl<S: Scalar> Spheres<S> {
             }
         }
         touches
+    }
+
+    /// Whether the balls of a contact move into each other, and are not only pressed together: such pairs are let hop one
+    /// by one.
+    fn is_closing(&self, members: &[Present<S>], touch: &Touch<S, Vec3<S>, SphereLaw<S>>) -> bool {
+        let pair = [members[touch.a], members[touch.b.unwrap_or(touch.a)]];
+        let speed = (pair[0].twist.velocity - pair[1].twist.velocity).dot(touch.normal);
+        let creep = self.system.kept_speeds[pair[0].ball] * S::from_f64(CREEP);
+        speed > threshold(&pair) + creep
     }
 
     fn resolve_normal(
@@ -202,13 +214,6 @@ impl<S: Scalar> Spheres<S> {
             self.emit(event, observer);
         }
     }
-}
-
-/// Whether the balls of a contact move into each other, and are not only pressed together.
-fn is_closing<S: Scalar>(members: &[Present<S>], touch: &Touch<S, Vec3<S>, SphereLaw<S>>) -> bool {
-    let pair = [members[touch.a], members[touch.b.unwrap_or(touch.a)]];
-    let speed = (pair[0].twist.velocity - pair[1].twist.velocity).dot(touch.normal);
-    speed > threshold(&pair)
 }
 
 /// The slip of the first ball's surface on the second's.
