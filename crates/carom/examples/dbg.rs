@@ -7,25 +7,22 @@ fn main() {
     let scenario = Scenario::from_json(&text).unwrap();
     let (mut sim, mut log) = start::<OnCloth>(&scenario, None);
     while sim.step(&mut log).unwrap() {}
-    println!("{:?} {} events {:?}", sim.status(), log.events.len(), sim.diagnostics());
-    let n = log.events.len().saturating_sub(4);
+    println!("{:?} {} events", sim.status(), log.events.len());
+    let n = log.events.len().saturating_sub(24);
     for e in &log.events[n..] {
         println!(
-            "{:.12} {} {} {:?} v={:e} J={:e} cl={:?}",
+            "{:.14} {} {} {:?} c{:?} v={:e} J={:e} cl={:?}",
             e.time,
             e.kind.name(),
             e.ball_a,
             e.ball_b,
+            e.cushion,
             e.closing_speed,
             e.impulse,
             e.cluster
         );
-        for b in [Some(e.ball_a), e.ball_b].into_iter().flatten() {
-            let f: Vec<_> = log.flights.iter().filter(|(k, _)| *k == b).collect();
-            let l = f.len();
-            for k in [l - 2, l - 1] {
-                println!("   {b} {:?}", f[k].1);
-            }
-        }
+    }
+    for (k, s) in sim.state().iter().enumerate() {
+        println!("{k} {:?} {:?} v={:?} w={:?}", s.motion, s.position, s.twist.velocity, s.twist.spin);
     }
 }

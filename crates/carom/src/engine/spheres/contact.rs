@@ -1,6 +1,7 @@
 //! Two balls meet.
 
 use super::ending::{Cause, size};
+use super::hop::{hop_apart, stop};
 use super::{Ball, Spheres};
 use crate::engine::interface::Fault;
 use crate::flight::{Motion, SphereFlight};
@@ -14,6 +15,9 @@ use core::cmp::Ordering;
 
 /// Events of one ball within the collapse time after which a run is given up.
 const BURST_LIMIT: u32 = 1000;
+
+/// Contacts of one ball within the collapse time after which it counts as jammed if it is slow.
+const JAM_LIMIT: u32 = 100;
 
 /// A ball at the instant of a contact.
 #[derive(Clone, Copy, Debug)]
@@ -78,7 +82,11 @@ impl<S: Scalar> Spheres<S> {
             SphereImpact { twists: [a.twist, b.twist], impulse: S::ZERO }
         };
         let mut meeting = Meeting { balls, normal, closing_speed, impact };
-        self.let_hop(&mut meeting, time);
+        if balls.iter().any(|ball| self.is_jammed(ball, time)) {
+            meeting.impact.twists.iter_mut().for_each(stop);
+        } else {
+            self.let_hop(&mut meeting, time);
+        }
         meeting
     }
 
@@ -96,7 +104,7 @@ impl<S: Scalar> Spheres<S> {
         if lacking > S::ZERO {
             let spheres = meeting.balls.map(|ball| ball.sphere);
             let SphereImpact { twists, impulse } = meeting.impact;
-            let hop = hop([(spheres[0], twists[0]), (spheres[1], twists[1])], meeting.normal, lacking);
+            let hop = hop_apart([(spheres[0], twists[0]), (spheres[1], twists[1])], meeting.normal, lacking);
             meeting.impact = SphereImpact { twists: hop.twists, impulse: impulse + hop.impulse };
         }
     }
@@ -163,6 +171,14 @@ impl<S: Scalar> Spheres<S> {
         }
     }
 
+    /// Whether a ball is jammed: slower than v_c, it has met others and cushions again and again within the collapse time.
+    pub(super) fn is_jammed(&self, ball: &Present<S>, time: S) -> bool {
+        let (track, slow) = (&self.balls[ball.ball].track, self.system.kept_speeds[ball.ball]);
+        track.burst > JAM_LIMIT
+            && time - track.burst_start <= self.system.collapse_times[ball.ball]
+            && ball.twist.velocity.norm_squared() < slow.squared()
+    }
+
     /// Accounts for what a blow did to the energy of balls that then begin these flights.
     pub(super) fn account_for_blow(&mut self, before: &[Present<S>], flights: &[(usize, SphereFlight<S>)]) {
         let mut change = S::ZERO;
@@ -195,34 +211,6 @@ impl<S: Scalar> Spheres<S> {
 pub(super) fn threshold<S: Scalar>(balls: &[Present<S>]) -> S {
     let speeds = balls.iter().fold(S::ZERO, |sum, ball| sum + size(&ball.sphere, &ball.twist));
     speeds * S::from_f64(16.0 * S::EPSILON)
-}
-
-/// What becomes of two balls that part by so much faster, with a hop too low to see: it is paid for by all their motion,
-/// so that the energy stays.
-fn hop<S: Scalar>(balls: [(Sphere<S>, Twist<S>); 2], normal: Vec3<S>, speed: S) -> SphereImpact<S> {
-    let [(a, twist_a), (b, twist_b)] = balls;
-    let impulse = speed / (a.inverse_mass + b.inverse_mass);
-    let mut twists = [
-        twist_a.after_impulse(&a, normal, -normal * impulse),
-        twist_b.after_impulse(&b, -normal, normal * impulse),
-    ];
-    let before = a.kinetic_energy(&twist_a) + b.kinetic_energy(&twist_b);
-    let after = a.kinetic_energy(&twists[0]) + b.kinetic_energy(&twists[1]);
-    pay(&mut twists, before, after);
-    SphereImpact { twists, impulse }
-}
-
-/// Slows all motion until the energy is what it was.
-pub(super) fn pay<S: Scalar>(twists: &mut [Twist<S>], before: S, after: S) {
-    if after <= before {
-        return;
-    }
-    // One rounding less than all of it, so that the energy does not rise by one.
-    let factor = (before / after).sqrt() * S::from_f64(1.0 - 4.0 * f64::EPSILON);
-    for twist in twists {
-        twist.velocity = twist.velocity * factor;
-        twist.spin = twist.spin * factor;
-    }
 }
 
 /// The row of a contact of two balls given in order of place; in it the one with the lower number comes first.

@@ -1,7 +1,8 @@
 //! A ball meets a cushion.
 
-use super::contact::{Present, pay, threshold};
+use super::contact::{Present, threshold};
 use super::ending::Cause;
+use super::hop::{hop_away, stop};
 use super::{Ball, Spheres};
 use crate::flight::{Motion, SphereFlight};
 use crate::geometry::Vec3;
@@ -36,9 +37,13 @@ impl<S: Scalar> Spheres<S> {
         let new_flight =
             |after| self.flight_after(ball, time, present.position, &hit.twist, after, Cause::Cushion);
         let after = match self.lacking_speed(&present, &new_flight(after), hit.closing_normal()) {
-            Some(lacking) => hop(&hit, after, lacking),
+            Some(lacking) => hop_away(&hit.sphere, after, hit.closing_normal(), lacking),
             None => after,
         };
+        let mut after = after;
+        if self.is_jammed(&present, time) {
+            stop(&mut after);
+        }
         let flight = new_flight(after);
         let impulse = (after.velocity - hit.twist.velocity).dot(normal) * hit.sphere.mass;
         self.note_contact(ball, time);
@@ -86,14 +91,4 @@ impl<S: Scalar> Spheres<S> {
         let cos = if is_airborne { (S::ONE - sin.squared()).sqrt() } else { nose.cos };
         CushionHit { sphere, normal, sin, cos, twist, is_airborne }
     }
-}
-
-/// What becomes of a ball that parts from a cushion by so much faster, with a hop too low to see, which is paid for by all
-/// its motion.
-fn hop<S: Scalar>(hit: &CushionHit<S>, twist: Twist<S>, speed: S) -> Twist<S> {
-    let velocity = twist.velocity + hit.closing_normal() * speed;
-    let mut twists = [Twist { velocity, ..twist }];
-    let (before, after) = (hit.sphere.kinetic_energy(&twist), hit.sphere.kinetic_energy(&twists[0]));
-    pay(&mut twists, before, after);
-    twists[0]
 }
