@@ -62,10 +62,10 @@ pub struct NoseReach<S> {
     pub height: S,
     /// Distance in plan from a nose to the centre of a ball on the cloth that touches it.
     pub reach: S,
-    /// Sine of the contact angle of a ball on the cloth.
-    pub sin: S,
-    /// Its cosine.
-    pub cos: S,
+    /// Sine and cosine of the contact angle θ of a ball on the cloth, sin θ = (h − R)/R.
+    pub tilt: (S, S),
+    /// The same of the direction from its centre to the nose, which is another where a ball touches the nose in plan.
+    pub direction: (S, S),
 }
 
 /// The cue, the ball that it strikes, and how.
@@ -182,11 +182,14 @@ fn nose_reach<S: Scalar>(sphere: &Sphere<S>, nose: &Nose<S>) -> NoseReach<S> {
     let height = nose.height.unwrap_or(sphere.radius);
     let sin = (height - sphere.radius) / sphere.radius;
     let cos = (S::ONE - sin.squared()).sqrt();
-    let reach = match nose.contact {
-        NoseContact::Nose => sphere.radius * cos,
-        NoseContact::Plan => sphere.radius,
+    let (reach, direction) = match nose.contact {
+        NoseContact::Nose => (sphere.radius * cos, (sin, cos)),
+        NoseContact::Plan => {
+            let slant = (S::ONE + sin.squared()).sqrt();
+            (sphere.radius, (sin / slant, S::ONE / slant))
+        }
     };
-    NoseReach { height, reach, sin, cos }
+    NoseReach { height, reach, tilt: (sin, cos), direction }
 }
 
 fn cushion_law<S: Scalar>(

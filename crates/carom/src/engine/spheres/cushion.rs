@@ -10,7 +10,7 @@ use crate::law::ball_cushion::CushionHit;
 use crate::law::collapse::restitution_keeping;
 use crate::model::Twist;
 use crate::run::{Event, Kind, Observer, OnCloth};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, other_leg};
 
 impl<S: Scalar> Spheres<S> {
     /// A ball meets the nose of a cushion.
@@ -80,15 +80,14 @@ impl<S: Scalar> Spheres<S> {
         let (normal, _) = self.system.faces[cushion as usize].normal_at(position.plan());
         let is_airborne = flight.motion == Motion::Airborne;
         let nose = &self.system.noses[ball];
-        let sin = if is_airborne { (nose.height - position.z) / sphere.radius } else { nose.sin };
-        let sin = if sin > S::ONE {
-            S::ONE
-        } else if sin < -S::ONE {
-            -S::ONE
+        let (sin, cos) = if is_airborne {
+            let sin = (nose.height - position.z) / sphere.radius;
+            (sin, other_leg(sin))
+        } else if self.system.cushion_laws[cushion as usize].acts_towards_nose() {
+            nose.direction
         } else {
-            sin
+            nose.tilt
         };
-        let cos = if is_airborne { (S::ONE - sin.squared()).sqrt() } else { nose.cos };
         CushionHit { sphere, normal, sin, cos, twist, is_airborne }
     }
 }

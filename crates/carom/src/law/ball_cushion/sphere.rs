@@ -79,6 +79,12 @@ impl<S: Scalar> SphereLaw<S> {
         }
     }
 
+    /// Whether the blow goes from the nose to the centre of the ball; other laws go by the height of the nose alone. Where a
+    /// ball touches the nose itself that is the same.
+    pub fn acts_towards_nose(&self) -> bool {
+        matches!(self, Self::Frictional(_) | Self::StrongeCompliant(_))
+    }
+
     /// Its sources.
     pub fn references(&self) -> &'static [Reference] {
         match self {
