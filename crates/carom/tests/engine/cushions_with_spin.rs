@@ -133,52 +133,91 @@ fn c3_mathavan_2010_has_no_scale_and_a_mirror() {
     }
 }
 
-/// Mathavan's equations in steps of Euler's method, as published: a slip that stops flickers about zero.
-fn mathavan_by_euler(at: &AtNose, restitution: f64, friction: f64, steps: f64) -> Twist<f64> {
-    let (sin, cos) = (at.sin, libm::sqrt(1.0 - at.sin * at.sin));
-    let [mut vx, mut vy, _] = at.motion.velocity;
-    let [mut wx, mut wy, mut wz] = at.motion.rolled;
-    let push = vy / steps;
-    let direction = |x: f64, y: f64| {
-        let size = libm::hypot(x, y);
-        if size == 0.0 { (0.0, 0.0) } else { (x / size, y / size) }
-    };
-    let (mut work, mut target, mut opens) = (0.0, f64::INFINITY, false);
-    while work < target {
-        let (nose_x, nose_y) = direction(vx + wy * sin - wz * cos, -vy * sin + wx);
-        let (cloth_x, cloth_y) = direction(vx - wy, vy + wx);
-        let load = sin + friction * nose_y * cos;
-        let sliding = at.ball.sliding * load;
-        let before = vy;
-        vx -= push * (friction * nose_x + sliding * cloth_x);
-        vy -= push * (cos - friction * sin * nose_y + sliding * cloth_y);
-        wx -= 2.5 * push * (friction * nose_y + sliding * cloth_y);
-        wy -= 2.5 * push * (friction * nose_x * sin - sliding * cloth_x);
-        wz += 2.5 * push * friction * nose_x * cos;
-        work += push * (before + vy).abs() * 0.5 * cos;
-        if vy <= 0.0 && !opens {
-            (opens, target) = (true, (1.0 + restitution * restitution) * work);
+/// A ball between nose and cloth, as Mathavan's equations have it: y into the cushion, the spin times the radius.
+#[derive(Clone, Copy)]
+struct Published {
+    velocity: [f64; 2],
+    rolled: [f64; 3],
+    sin: f64,
+    friction: f64,
+    sliding: f64,
+}
+
+impl Published {
+    fn cos(&self) -> f64 {
+        libm::sqrt(1.0 - self.sin * self.sin)
+    }
+
+    /// One step of Euler's method: a slip that stops flickers about zero.
+    fn stepped(self, push: f64) -> Self {
+        let direction = |x: f64, y: f64| {
+            let size = libm::hypot(x, y);
+            if size == 0.0 { [0.0, 0.0] } else { [x / size, y / size] }
+        };
+        let ([vx, vy], [wx, wy, wz], sin, cos) = (self.velocity, self.rolled, self.sin, self.cos());
+        let nose = direction(vx + wy * sin - wz * cos, -vy * sin + wx).map(|c| c * self.friction);
+        let load = sin + nose[1] * cos;
+        let cloth = direction(vx - wy, vy + wx).map(|c| c * self.sliding * load);
+        let turn = 2.5 * push;
+        Self {
+            velocity: [vx - push * (nose[0] + cloth[0]), vy - push * (cos - sin * nose[1] + cloth[1])],
+            rolled: [
+                wx - turn * (nose[1] + cloth[1]),
+                wy - turn * (nose[0] * sin - cloth[0]),
+                wz + turn * nose[0] * cos,
+            ],
+            ..self
         }
     }
-    Motion { velocity: [vx, vy, 0.0], rolled: [wx, wy, wz] }.twist(at.ball)
+
+    /// The whole contact in steps of an equal push. The last step of each phase is as long as it takes.
+    fn rebound(self, restitution: f64, steps: f64) -> Self {
+        let push = self.velocity[1] / steps;
+        let (mut now, mut work) = (self, 0.0);
+        loop {
+            let (before, next) = (now.velocity[1], now.stepped(push));
+            let part = f64::min(1.0, before / (before - next.velocity[1]));
+            now = now.stepped(part * push);
+            work += 0.5 * part * push * self.cos() * (before + now.velocity[1]);
+            if part < 1.0 {
+                break;
+            }
+        }
+        work *= restitution * restitution;
+        loop {
+            let (opening, next) = (-now.velocity[1], now.stepped(push));
+            let gained = -next.velocity[1] - opening;
+            let done = 0.5 * push * self.cos() * (2.0 * opening + gained);
+            if done >= work {
+                let root = libm::sqrt(opening * opening + 2.0 * gained * work / (push * self.cos()));
+                return now.stepped(2.0 * work / ((opening + root) * self.cos()));
+            }
+            (now, work) = (next, work - done);
+        }
+    }
 }
 
 #[test]
 fn c3_few_steps_of_high_order_agree_with_many_of_the_published_scheme() {
     let mut random = Random::new(3);
-    for _ in 0..40 {
+    let mut errors = Vec::new();
+    for _ in 0..60 {
         let (restitution, friction) = (random.between(0.6, 0.99), random.between(0.05, 0.3));
         let motion =
             started(1.0, random.between(10.0, 170.0), random.between(-1.0, 2.0), random.between(-2.0, 2.0));
-        let at = into_cushion(SNOOKER, 0.28, motion);
-        let found = rebound(&mathavan(restitution, friction), &at);
-        let euler = mathavan_by_euler(&at, restitution, friction, 40_000.0);
-        let error =
-            (found.velocity - euler.velocity).norm() + (found.spin - euler.spin).norm() * SNOOKER.radius;
-        // One step of Euler's changes a velocity by 1/40000 of the closing speed, and the end of each phase is off by as
-        // much.
-        assert!(error < 2e-4, "{error:e}: {at:?}");
+        let [vx, vy, _] = motion.velocity;
+        let (rolled, sin, sliding) = (motion.rolled, 0.28, SNOOKER.sliding);
+        let start = Published { velocity: [vx, vy], rolled, sin, friction, sliding };
+        let found = rebound(&mathavan(restitution, friction), &into_cushion(SNOOKER, sin, motion));
+        let [coarse, fine] = [20_000.0, 40_000.0].map(|steps| start.rebound(restitution, steps));
+        // First order, so the difference of two step lengths is left over in the finer.
+        let limit = |k: usize| 2.0 * fine.velocity[k] - coarse.velocity[k];
+        errors.push(libm::hypot(found.velocity.x - limit(0), found.velocity.y - limit(1)));
     }
+    errors.sort_by(f64::total_cmp);
+    // Where a slip stops the published scheme flickers by a step's worth, 1/20000, and has no order.
+    assert!(errors[59] < 5e-5, "{errors:?}");
+    assert!(errors[50] < 1e-6, "{errors:?}");
 }
 
 /// What is left of a slip after the contact of a compliant cushion.

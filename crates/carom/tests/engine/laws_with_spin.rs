@@ -266,8 +266,8 @@ fn balls_that_gear_rub_nothing() {
             let (pair, after) = (meeting.pair::<f64>(), meet(&law, &meeting));
             let tolerance = ROUND_OFF * size(&meeting.motions);
             assert!(pair.slip().norm() <= tolerance, "the slip is left");
-            for k in 0..2 {
-                let spin = (after[k].spin - pair.twists[k].spin).norm() * meeting.balls[k].radius;
+            for ((after, before), ball) in after.iter().zip(pair.twists).zip(meeting.balls) {
+                let spin = (after.spin - before.spin).norm() * ball.radius;
                 assert!(spin <= tolerance, "{law:?}: {spin}");
             }
         }
@@ -333,8 +333,10 @@ fn a_ball_gains_no_energy_at_a_cushion_or_on_the_cloth() {
                 after_energy <= before * (1.0 + ROUND_OFF),
                 "{law:?}: {before} to {after_energy}, {at:?}"
             );
-            let keeps = law.is_lossless() && at.sin == 0.0;
-            assert!(after_energy >= before * (1.0 - ROUND_OFF) || !keeps, "{law:?} loses energy, {at:?}");
+            assert!(
+                after_energy >= before * (1.0 - ROUND_OFF) || !law.is_lossless(),
+                "{law:?} loses energy, {at:?}"
+            );
             let landed = cloth::bounce(&hit.sphere, hit.twist, 0.5, 0.3);
             let closes = hit.twist.velocity.z < 0.0;
             assert!(!closes || hit.sphere.kinetic_energy(&landed) <= before * (1.0 + ROUND_OFF), "{at:?}");
@@ -350,10 +352,14 @@ fn a_ball_on_the_cloth_leaves_the_cushion_level() {
             let rises = matches!(law, ball_cushion::SphereLaw::Frictional(_));
             assert!(rises || after.velocity.z == 0.0, "{law:?}: {after:?}");
             let away = after.velocity.dot(at.hit::<f64>().closing_normal());
-            // Where the nose is above the centre, a dead blow at it leaves some of the level velocity.
-            let hit = at.hit::<f64>();
-            let kept = hit.sin * hit.sin * hit.closing_speed();
-            assert!(away >= -kept * (1.0 + 1e-9) - 1e-6 * size(&[at.motion]), "{law:?}: {away}, {at:?}");
+            // A blow at a nose above the centre goes down too: with much friction or little restitution, the laws that
+            // then leave the rest to the cloth let the ball go on into the cushion.
+            let goes_level = matches!(
+                law,
+                ball_cushion::SphereLaw::Restitution(_) | ball_cushion::SphereLaw::Mathavan2010(_)
+            );
+            let tolerance = 1e-6 * size(&[at.motion]);
+            assert!(away >= -tolerance || (at.sin > 0.0 && !goes_level), "{law:?}: {away}, {at:?}");
         }
     }
 }
@@ -394,8 +400,10 @@ fn grazes_gears_and_dead_contacts_have_numbers_for_outcomes() {
             for normal in [[0.0, 1.0, 0.0], [0.0, 0.6, -0.8], [0.0, 0.6, 0.8]] {
                 for on_cloth in [[true; 2], [false; 2]] {
                     let motions = [motion, Motion::REST];
-                    let after = meet(&law, &Meeting { balls: [POOL; 2], normal, motions, on_cloth });
-                    assert!(after.iter().all(|t| t.velocity.is_finite() && t.spin.is_finite()), "{law:?}");
+                    let meeting = Meeting { balls: [POOL; 2], normal, motions, on_cloth };
+                    let after = meet(&law, &meeting);
+                    let is_finite = after.iter().all(|t| t.velocity.is_finite() && t.spin.is_finite());
+                    assert!(is_finite, "{law:?}: {meeting:?}, {after:?}");
                 }
             }
         }
@@ -489,6 +497,12 @@ fn dual_twist(ball: Ball, motion: Motion, by: Motion) -> Twist<Dual<1>> {
     Twist { velocity: dual(motion.velocity, by.velocity), spin: dual(spin(motion), spin(by)) }
 }
 
+/// The motion moved off what balls often do, to roll or not to spin: there friction with the cloth has no derivative.
+fn shaken(motion: Motion) -> Motion {
+    let by = Motion { velocity: [0.3, 0.2, 0.0], rolled: [-0.4, 0.3, 0.5] };
+    nudged(motion, by, 0.2 * size(&[motion]))
+}
+
 /// A step for which round-off and curvature leave like errors in a central difference.
 const NUDGE: f64 = 1e-5;
 
@@ -498,7 +512,8 @@ const KINKS: usize = 20;
 fn assert_slopes_mostly(errors: &mut [f64], what: &str) {
     errors.sort_by(f64::total_cmp);
     let kept = errors.len() - errors.len() / KINKS;
-    assert!(errors[kept - 1] < 1e-4 && errors[errors.len() / 2] < 1e-6, "{what}: {:e}", errors[kept - 1]);
+    let (most, median) = (errors[kept - 1], errors[errors.len() / 2]);
+    assert!(most < 1e-4 && median < 1e-6, "{what}: {most:e}, median {median:e}");
 }
 
 #[test]
@@ -507,6 +522,10 @@ fn derivatives_are_those_of_finite_differences() {
     for (law, dual_law) in ball_ball_laws::<f64>().into_iter().zip(ball_ball_laws::<Dual<1>>()) {
         let mut errors = Vec::new();
         for meeting in (0..CONTACTS).map(Meeting::random) {
+            let meeting = Meeting { motions: meeting.motions.map(shaken), ..meeting };
+            if meeting.pair::<f64>().closing_speed() <= 0.0 {
+                continue;
+            }
             let scale = size(&meeting.motions);
             let by = by.times(scale);
             let at = |part: f64| {
@@ -527,6 +546,10 @@ fn derivatives_are_those_of_finite_differences() {
     for (law, dual_law) in cushion_laws::<f64>().into_iter().zip(cushion_laws::<Dual<1>>()) {
         let mut errors = Vec::new();
         for at in (0..CONTACTS).map(AtNose::random) {
+            let at = AtNose { motion: shaken(at.motion), ..at };
+            if at.hit::<f64>().closing_speed() <= 0.0 {
+                continue;
+            }
             let scale = size(&[at.motion]);
             let by = by.times(scale);
             let nudge = |part: f64| {

@@ -28,7 +28,7 @@ const ROUND_OFF: f64 = 1e-14;
 /// Times that the last step of a phase is made again, with a better length.
 const LAST_STEPS: usize = 3;
 
-/// Steps after which a contact ends that friction keeps from ending. None of those tried comes near.
+/// Steps after which a phase ends in any case. Slips that start against a friction that nearly holds take hundreds.
 const MOST_STEPS: usize = 2000;
 
 /// A contact on its way.
@@ -51,7 +51,7 @@ struct Step<S, const N: usize> {
 struct Mean<S, const N: usize> {
     /// Its mean.
     rubs: [Vec2<S>; N],
-    /// Its mean where the early counts more, as it does in the work of the normal impulse.
+    /// The mean of its first three stages: what counts in the work of the normal impulse, where the early counts more.
     early: [Vec2<S>; N],
 }
 
@@ -85,12 +85,13 @@ impl<S: Scalar, const N: usize> March<S, N> {
     fn compress(&mut self) -> S {
         let mut work = S::ZERO;
         for _ in 0..MOST_STEPS {
+            let first = self.first_rubbing();
             let closing = self.closing_now();
-            let end = |mean: &Mean<S, N>, march: &Self| {
-                let lost = march.closing_lost(&mean.rubs);
+            let end = |mean: &Mean<S, N>| {
+                let lost = self.closing_lost(&mean.rubs);
                 if lost > S::ZERO { closing / lost } else { S::INFINITY }
             };
-            let (step, is_last) = self.step(end);
+            let (step, is_last) = self.step(&first, end);
             work += step.normal
                 * (closing - self.closing_lost(&step.mean.early) * step.normal * S::from_f64(0.5));
             self.done = self.done.with(step.normal, &step.mean.rubs);
@@ -108,10 +109,10 @@ impl<S: Scalar, const N: usize> March<S, N> {
             if left <= S::ZERO {
                 break;
             }
+            let first = self.first_rubbing();
             let opening = -self.closing_now();
-            let end =
-                |mean: &Mean<S, N>, march: &Self| end_of_work(left, opening, march.closing_lost(&mean.early));
-            let (step, is_last) = self.step(end);
+            let end = |mean: &Mean<S, N>| end_of_work(left, opening, self.closing_lost(&mean.early));
+            let (step, is_last) = self.step(&first, end);
             left -= step.normal
                 * (opening + self.closing_lost(&step.mean.early) * step.normal * S::from_f64(0.5));
             self.done = self.done.with(step.normal, &step.mean.rubs);
@@ -124,23 +125,22 @@ impl<S: Scalar, const N: usize> March<S, N> {
     /// The next step, and whether it is the last of its phase. `end` says where the phase ends with such a friction.
     ///
     /// Bodies that friction holds everywhere are wedged: that ends a phase too.
-    fn step(&mut self, end: impl Fn(&Mean<S, N>, &Self) -> S) -> (Step<S, N>, bool) {
-        let first = self.first_rubbing();
+    fn step(&self, first: &Rubbing<S, N>, end: impl Fn(&Mean<S, N>) -> S) -> (Step<S, N>, bool) {
         if first.is_held.iter().all(|is_held| *is_held) {
             return (Step { normal: S::ZERO, mean: Mean { rubs: first.rubs, early: first.rubs } }, true);
         }
-        let bound = self.bound(&first);
+        let bound = self.bound(first);
         let mut mean = Mean { rubs: first.rubs, early: first.rubs };
-        let mut normal = end(&mean, self);
+        let mut normal = end(&mean);
         if normal > bound {
-            mean = self.mean(&first, bound);
-            normal = end(&mean, self);
+            mean = self.mean(first, bound);
+            normal = end(&mean);
             let is_last = normal < bound;
             return (Step { normal: if is_last { normal } else { bound }, mean }, is_last);
         }
         for _ in 0..LAST_STEPS {
-            mean = self.mean(&first, normal);
-            normal = end(&mean, self);
+            mean = self.mean(first, normal);
+            normal = end(&mean);
         }
         (Step { normal, mean }, true)
     }
@@ -166,8 +166,10 @@ impl<S: Scalar, const N: usize> March<S, N> {
         })
     }
 
-    /// The longest step that keeps the slip of a place from turning, or stopping, by more than a part. Friction turns the
-    /// slip where it is not yet along the drive, which counts half, since it then ends by turning it no more.
+    /// The longest step in which the slip of a place neither turns nor shrinks by more than a part.
+    ///
+    /// What friction alone could take counts half of itself, for the sake of stability: it turns a slip that starts into
+    /// its own direction within an impulse of the slip's size, and longer steps would overshoot that.
     fn bound_at(&self, place: usize, slip: Vec2<S>, first: &Rubbing<S, N>) -> S {
         let speed = slip.norm();
         if speed <= self.surfaces.still {

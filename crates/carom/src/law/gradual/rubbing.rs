@@ -5,11 +5,8 @@ use crate::geometry::Vec2;
 use crate::scalar::Scalar;
 use core::array::from_fn;
 
-/// Steffensen's steps to frictions that depend on each other.
-const CYCLES: usize = 2;
-
 /// Newton steps to the friction of a place that starts to slip.
-const NEWTON_STEPS: usize = 6;
+const NEWTON_STEPS: usize = 5;
 
 /// Friction per normal impulse.
 #[derive(Clone, Copy, Debug)]
@@ -45,19 +42,16 @@ impl<S: Scalar, const N: usize> Surfaces<S, N> {
 
     /// Where the bodies meet, what holds depends on the friction on the cloth, whose load depends on what holds.
     ///
-    /// Rounds in turn settle that, with Steffensen's steps: the dependence is linear, but for places that start to slip.
-    fn settled(&self, mut found: Rubbing<S, N>, along: &[Vec2<S>; N], holds: [bool; N]) -> Rubbing<S, N> {
-        for _ in 0..CYCLES {
-            let before = found.rubs[0].y;
-            found = self.round(found, along, holds);
-            let change = found.rubs[0].y - before;
-            found = self.round(found, along, holds);
-            let bend = found.rubs[0].y - before - change - change;
-            if bend != S::ZERO {
-                found.rubs[0].y = before - change.squared() / bend;
-            }
+    /// The dependence is linear, but for a place that starts to slip, so two rounds and Steffensen's step settle it.
+    fn settled(&self, found: Rubbing<S, N>, along: &[Vec2<S>; N], holds: [bool; N]) -> Rubbing<S, N> {
+        let first = self.round(found, along, holds);
+        let mut second = self.round(first, along, holds);
+        let change = first.rubs[0].y - found.rubs[0].y;
+        let bend = second.rubs[0].y - first.rubs[0].y - change;
+        if bend != S::ZERO {
+            second.rubs[0].y = found.rubs[0].y - change.squared() / bend;
         }
-        self.round(found, along, holds)
+        self.round(second, along, holds)
     }
 
     /// The friction on the cloth with the loads of `last`, then where the bodies meet: what holds there holds exactly.
@@ -102,19 +96,22 @@ impl<S: Scalar, const N: usize> Surfaces<S, N> {
 
     /// The friction of a place that starts to slip: as large as it can be, and along the slip that starts.
     ///
-    /// That slip is `drive − G J = λ J`, so `J = drive/(G + λ)` in both directions, with the λ > 0 for which J has the
-    /// size of the limit. Newton's method on `1/|J|`, which is nearly linear in λ, finds it.
+    /// With J = L q, where L is the limit and |q| = 1, that slip is `drive − G J = λ q`, so `q = drive/(L G + λ)` in both
+    /// directions. Newton's method on `1/|q|`, which is nearly linear in λ, finds λ > 0 from below.
     fn starting(&self, place: usize, drive: Vec2<S>, limit: S) -> Vec2<S> {
-        let [across, ahead] = [self.response.sideways[place][place], self.response.forwards[place][place]];
-        let rub = |lambda: S| Vec2::new(drive.x / (across + lambda), drive.y / (ahead + lambda));
-        let mut lambda = S::ZERO;
+        let response = &self.response;
+        let [across, ahead] =
+            [response.sideways[place][place] * limit, response.forwards[place][place] * limit];
+        let below = drive.norm() - if across > ahead { across } else { ahead };
+        let mut lambda = if below > S::ZERO { below } else { S::ZERO };
+        let direction = |lambda: S| Vec2::new(drive.x / (across + lambda), drive.y / (ahead + lambda));
         for _ in 0..NEWTON_STEPS {
-            let found = rub(lambda);
-            let squared = found.norm_squared();
-            let falling = found.x.squared() / (across + lambda) + found.y.squared() / (ahead + lambda);
-            lambda += squared / falling * (squared.sqrt() / limit - S::ONE);
+            let q = direction(lambda);
+            let squared = q.norm_squared();
+            let falling = q.x.squared() / (across + lambda) + q.y.squared() / (ahead + lambda);
+            lambda += squared / falling * (squared.sqrt() - S::ONE);
         }
-        let found = rub(lambda);
-        found * (limit / found.norm())
+        let q = direction(lambda);
+        q * (limit / q.norm())
     }
 }
