@@ -82,7 +82,6 @@ fn what_rolls_needs_a_cloth() {
     assert_eq!(discs("ball_defaults.spin_decay = 1", ""), only("ball_defaults.spin_decay"));
     assert_eq!(discs("cue.mass = 1", ""), only("cue"));
     assert_eq!(discs("", "[shot]\nV0 = 1\nphi_deg = 0"), only("shot"));
-    assert_eq!(discs("physics.cluster = 'hertz'", ""), only("physics.cluster"));
     assert_eq!(
         discs("physics.ball_ball = { law = 'frictional', normal = 1 }", ""),
         only("physics.ball_ball.law")
