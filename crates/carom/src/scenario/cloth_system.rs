@@ -7,7 +7,7 @@ use super::shot::{CueStart, ShotStart};
 use super::start::BallStart;
 use super::system::{CushionLaws, cushion_ids, faces};
 use crate::flight::Cloth;
-use crate::geometry::Vec3;
+use crate::geometry::{Bounds, Vec3};
 use crate::law::coefficient::{IncidenceFriction, NormalRestitution, SlipFriction};
 use crate::law::{ball_ball, ball_cushion, cue_ball};
 use crate::model::{ContactTolerance, Face, Hole, Nose, NoseContact, Sphere, Table, Twist};
@@ -26,6 +26,10 @@ pub struct ClothSystem<S> {
     pub stroke: Option<Stroke<S>>,
     /// The faces of cushions and corners.
     pub faces: Vec<Face<S>>,
+    /// The boxes around them.
+    pub boxes: Vec<Bounds<S>>,
+    /// Their numbers from the longest to the shortest: the first are likeliest to be met.
+    pub by_length: Vec<u32>,
     /// How each ball touches the noses of cushions.
     pub noses: Vec<NoseReach<S>>,
     /// The law of each face.
@@ -108,6 +112,7 @@ impl<S: Scalar> ClothSystem<S> {
             .collect();
         let spheres: Vec<_> = starts.iter().map(BallStart::sphere).collect();
         let holes = table.pockets.iter().map(|pocket| Hole::new(pocket.center, pocket.radius)).collect();
+        let faces = faces(&table);
         Self {
             stroke: stroke(scenario, number),
             noses: spheres.iter().map(|sphere| nose_reach(sphere, &table.nose)).collect(),
@@ -127,7 +132,9 @@ impl<S: Scalar> ClothSystem<S> {
             duration: scenario.duration.map(|value| number(&"duration", value)),
             ball_ids: scenario.balls.iter().map(|ball| ball.id.clone()).collect(),
             cushion_ids: place_ids(&table),
-            faces: faces(&table),
+            boxes: faces.iter().map(Face::bounds).collect(),
+            by_length: by_length(&faces),
+            faces,
             starts: starts.iter().map(|start| (start.position, start.twist())).collect(),
             spheres,
             holes,
@@ -283,6 +290,17 @@ fn slip<S: Scalar>(friction: &schema::SlipFriction, at: At<'_, S>) -> SlipFricti
             SlipFriction::BySlip { a: at("friction.a", *a), b: at("friction.b", *b), c: at("friction.c", *c) }
         }
     }
+}
+
+/// The numbers of the faces, straight ones first and longer ones before shorter ones.
+fn by_length<S: Scalar>(faces: &[Face<S>]) -> Vec<u32> {
+    let length = |number: &u32| match &faces[*number as usize] {
+        Face::Line(line) => line.length.to_f64(),
+        Face::Round(_) => 0.0,
+    };
+    let mut numbers: Vec<u32> = (0..faces.len() as u32).collect();
+    numbers.sort_by(|a, b| length(b).total_cmp(&length(a)));
+    numbers
 }
 
 fn place_ids<S: Scalar>(table: &Table<S>) -> Vec<String> {
