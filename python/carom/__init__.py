@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         compare_steps,
         compare_trajectory,
     )
+    from carom.cue import Cue, Rack, Shot, ShotResult
     from carom.errors import (
         CaromError,
         MissingExtraError,
@@ -39,11 +40,24 @@ if TYPE_CHECKING:
     from carom.events import Event, EventTable
     from carom.library import scenarios
     from carom.method import Exact, Stepped
-    from carom.physics import Damping, Elastic, Field, Free, Physics, Restitution
+    from carom.physics import (
+        Cloth,
+        Damping,
+        Elastic,
+        Field,
+        Free,
+        Frictional,
+        Han2005,
+        Mathavan2010,
+        Mathavan2014,
+        Physics,
+        Restitution,
+        StrongeCompliant,
+    )
     from carom.run import Reference, Run, Verification, load_run
     from carom.scenario import Scenario, load
     from carom.simulation import Candidate, Simulation
-    from carom.table import Arc, Circle, Line, Path, Table, Wall
+    from carom.table import Arc, Circle, Line, Mouth, Path, Pocket, Table, Wall
 
 _HOMES = {
     "_engine": ["PHYSICS_VERSION", "__version__", "schema"],
@@ -60,6 +74,7 @@ _HOMES = {
         "compare_steps",
         "compare_trajectory",
     ],
+    "cue": ["Cue", "Rack", "Shot", "ShotResult"],
     "errors": [
         "CaromError",
         "MissingExtraError",
@@ -71,11 +86,24 @@ _HOMES = {
     "events": ["Event", "EventTable"],
     "library": ["scenarios"],
     "method": ["Exact", "Stepped"],
-    "physics": ["Damping", "Elastic", "Field", "Free", "Physics", "Restitution"],
+    "physics": [
+        "Cloth",
+        "Damping",
+        "Elastic",
+        "Field",
+        "Free",
+        "Frictional",
+        "Han2005",
+        "Mathavan2010",
+        "Mathavan2014",
+        "Physics",
+        "Restitution",
+        "StrongeCompliant",
+    ],
     "run": ["Reference", "Run", "Verification", "load_run"],
     "scenario": ["Scenario", "load"],
     "simulation": ["Candidate", "Simulation"],
-    "table": ["Arc", "Circle", "Line", "Path", "Table", "Wall"],
+    "table": ["Arc", "Circle", "Line", "Mouth", "Path", "Pocket", "Table", "Wall"],
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 
@@ -86,7 +114,9 @@ __all__ = [
     "Candidate",
     "CaromError",
     "Circle",
+    "Cloth",
     "ColumnTable",
+    "Cue",
     "Damping",
     "Difference",
     "Elastic",
@@ -95,11 +125,18 @@ __all__ = [
     "Exact",
     "Field",
     "Free",
+    "Frictional",
+    "Han2005",
     "Line",
+    "Mathavan2010",
+    "Mathavan2014",
     "MissingExtraError",
+    "Mouth",
     "Parting",
     "Path",
     "Physics",
+    "Pocket",
+    "Rack",
     "Reference",
     "Restitution",
     "Run",
@@ -107,10 +144,13 @@ __all__ = [
     "RunError",
     "Scenario",
     "ScenarioError",
+    "Shot",
+    "ShotResult",
     "Simulation",
     "SimulationError",
     "StepComparison",
     "Stepped",
+    "StrongeCompliant",
     "Table",
     "TrajectoryComparison",
     "TrajectoryError",

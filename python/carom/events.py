@@ -38,6 +38,8 @@ class Event:
         The normal impulse, in units of mass times speed.
     cluster : int or None
         The number of the cluster it was resolved in; None when it stood alone.
+    pocket : str or None
+        The pocket's id, where a ball dropped into one.
     """
 
     index: int
@@ -53,6 +55,7 @@ class Event:
     closing_speed: float
     impulse: float
     cluster: int | None
+    pocket: str | None = None
 
     @property
     def position(self) -> tuple[float, float]:
@@ -78,15 +81,15 @@ class EventTable(ColumnTable):
     """Events as columns: ``events["time"]``; as rows: ``events[0]``; and in parts, which compose.
 
     A column is a read-only array of n_events entries: int64 for `index` and `cluster` (−1: in no cluster; in pandas,
-    Arrow, CSV and JSON that is absent), float64 for numbers, object for `kind`, `ball_a`, `ball_b` and `cushion` (str,
-    or None where absent).
+    Arrow, CSV and JSON that is absent), float64 for numbers, object for `kind`, `ball_a`, `ball_b`, `cushion` and
+    `pocket` (str, or None where absent).
 
     Parameters
     ----------
     columns : mapping of str to (n_events,) array
         The columns of `Event`, complete.
     kinds, balls, cushions : sequences of str
-        The words that `by_kind`, `by_ball` and `by_cushion` know.
+        The words that `by_kind`, `by_ball` and `by_cushion` know; pockets count among the cushions.
     """
 
     def __init__(
@@ -128,9 +131,9 @@ class EventTable(ColumnTable):
         return self._part(_any_of(self["ball_a"], balls) | _any_of(self["ball_b"], balls))
 
     def by_cushion(self, *cushions: str) -> EventTable:
-        """Give the events at any of these cushions; an unknown id is a ValueError."""
+        """Give the events at any of these cushions or pockets; an unknown id is a ValueError."""
         _check_known("cushion", cushions, self._cushions)
-        return self._part(_any_of(self["cushion"], cushions))
+        return self._part(_any_of(self["cushion"], cushions) | _any_of(self["pocket"], cushions))
 
     def by_time(self, start: float, end: float) -> EventTable:
         """Give the events with ``start <= time <= end``."""

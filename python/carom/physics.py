@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass
 from typing import TYPE_CHECKING, ClassVar, Literal
 
@@ -26,6 +26,34 @@ class Field(Section):
     tag: ClassVar = {"law": "field"}
 
     acceleration: Vector
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Cloth(Section):
+    """Rolling, sliding and spinning on a cloth, and through the air above it.
+
+    Parameters
+    ----------
+    gravity : float, optional
+        Acceleration of free fall; absent: 9.81.
+    restitution : float, optional
+        Speed up from the cloth over speed down to it, of a ball that lands, from 0 to 1; absent: 0.5.
+    friction : float, optional
+        Coefficient of friction of a landing; absent: the ball's `sliding_friction`.
+    min_hop : float, optional
+        Hops that would rise less than this, in length, are left out; absent: 0.005.
+    air : bool, optional
+        Whether balls can leave the cloth; absent: True.
+    """
+
+    tag: ClassVar = {"law": "cloth"}
+
+    _: KW_ONLY
+    gravity: float | None = None
+    restitution: float | None = None
+    friction: float | None = None
+    min_hop: float | None = None
+    air: bool | None = None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -63,10 +91,88 @@ class Damping(Section):
     factor: float
 
 
-BallLaw = Elastic | Restitution
+BySpeed = Mapping[str, Sequence[float] | float]
+"""A restitution by the closing speed: ``{"by_speed": [c0, c1, c2], "up_to": v}``."""
+
+ByIncidence = Mapping[str, Sequence[float]]
+"""A friction by the angle θ between velocity and normal: ``{"by_incidence": [c0, c1]}`` is c0 + c1 θ."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Frictional(Section):
+    """A contact with restitution, and friction where the surfaces slip: between balls, or at a cushion's nose.
+
+    Parameters
+    ----------
+    normal : float or mapping
+        Speed of parting over closing speed, from 0 to 1; at cushions also `BySpeed`.
+    friction : float or mapping, optional
+        The coefficient. Between balls ``{"a", "b", "c"}`` is a + b exp(−c s) of the slip speed s, and absent it is
+        Alciatore's fit; at cushions it must be given, and may be `ByIncidence`.
+    cling : float, optional
+        Between balls only: what friction is multiplied with; absent: 1.
+    """
+
+    tag: ClassVar = {"law": "frictional"}
+
+    _: KW_ONLY
+    normal: float | BySpeed
+    friction: float | Mapping[str, float] | ByIncidence | None = None
+    cling: float | None = None
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Mathavan2014(Section):
+    """Balls with friction between them and of the one pressed onto the cloth; `normal` and `friction` as `Frictional`."""
+
+    tag: ClassVar = {"law": "mathavan_2014"}
+
+    _: KW_ONLY
+    normal: float
+    friction: float | Mapping[str, float] | None = None
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Han2005(Section):
+    """A cushion by Han's law of 2005; `normal` and `friction` as `Frictional` at cushions."""
+
+    tag: ClassVar = {"law": "han_2005"}
+
+    _: KW_ONLY
+    normal: float | BySpeed
+    friction: float | ByIncidence
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Mathavan2010(Section):
+    """A cushion by Mathavan, Jackson and Parkin's law of 2010; `normal` and `friction` as `Frictional` at cushions."""
+
+    tag: ClassVar = {"law": "mathavan_2010"}
+
+    _: KW_ONLY
+    normal: float | BySpeed
+    friction: float | ByIncidence
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class StrongeCompliant(Section):
+    """A cushion that gives way along the nose too; `normal` and `friction` as `Frictional` at cushions.
+
+    `frequency_ratio`, from 1 to 2, is the frequency of the swing along the nose over that into it; absent: 1.8.
+    """
+
+    tag: ClassVar = {"law": "stronge_compliant"}
+
+    _: KW_ONLY
+    normal: float | BySpeed
+    friction: float | ByIncidence
+    frequency_ratio: float | None = None
+
+
+BallLaw = Elastic | Restitution | Frictional | Mathavan2014
 """What can happen when two balls meet."""
 
-CushionLaw = Elastic | Restitution | Damping
+CushionLaw = Elastic | Restitution | Damping | Frictional | Han2005 | Mathavan2010 | StrongeCompliant
 """What can happen when a ball meets a cushion."""
 
 
@@ -76,7 +182,7 @@ class Physics(Section):
 
     Parameters
     ----------
-    flight : Free or Field, optional
+    flight : Free, Field or Cloth, optional
         How balls move between events.
     ball_ball : BallLaw, optional
         What happens when two balls meet.
@@ -97,7 +203,7 @@ class Physics(Section):
     """
 
     _: KW_ONLY
-    flight: Free | Field | None = None
+    flight: Free | Field | Cloth | None = None
     ball_ball: BallLaw | None = None
     ball_cushion: CushionLaw | None = None
     cushions: Mapping[str, CushionLaw] | None = None

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom import _engine
 from carom.columns import ColumnTable
+from carom.cue import Shot, ShotResult, result_of
 from carom.errors import RunError
 from carom.events import Event, EventTable, decoded
 from carom.files import read_text, write_text
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 MOST_TIMES = 1e8
+MOTION_KEYS = ("position", "velocity", "speed", "direction_deg", "spin")
 
 
 @dataclass(frozen=True)
@@ -82,7 +84,7 @@ class Run:
     ----------
     status : str
         How it ended: ``time_limit``, ``collision_limit``, ``stopped``, ``at_rest``, ``collapsed``,
-        ``event_limit`` or ``interrupted``.
+        ``event_limit``, ``interrupted`` or ``miscue``.
     end_time : float
         The time at which it ended.
     ball_ids : list of str
@@ -123,14 +125,20 @@ class Run:
             ("ball_a", balls),
             ("ball_b", balls),
             ("cushion", self.cushion_ids),
+            ("pocket", self.cushion_ids),
         ):
             columns[name] = decoded(columns[name], words)
         return EventTable(columns, kinds, balls, self.cushion_ids)
 
     @property
     def cushion_ids(self) -> list[str]:
-        """The ids of the cushions, in order."""
+        """The ids of the cushions, of the corners after them, and of the pockets after those."""
         return self._native.cushion_ids
+
+    @property
+    def is_on_cloth(self) -> bool:
+        """Whether the balls roll and spin on a cloth, so that places and velocities have three components."""
+        return self._native.is_on_cloth
 
     @cached_property
     def diagnostics(self) -> dict[str, Any]:
@@ -188,7 +196,8 @@ class Run:
         Returns
         -------
         positions, velocities : (n_times, n_balls, 2) float64
-            In length, and in length per time; without the first axis for a single time.
+            In length, and in length per time; without the first axis for a single time. On a cloth (n_times, n_balls,
+            3), the height of the centre last; NaN from when a ball is pocketed or off the table.
 
         Raises
         ------
@@ -197,8 +206,12 @@ class Run:
         """
         at = np.asarray(times, dtype=np.float64)
         positions, velocities = self._native.states(np.ascontiguousarray(at).ravel())
-        shape = (*at.shape, len(self.ball_ids), 2)
+        shape = (*at.shape, len(self.ball_ids), self._components)
         return positions.reshape(shape), velocities.reshape(shape)
+
+    @property
+    def _components(self) -> int:
+        return 3 if self.is_on_cloth else 2
 
     def positions(self, times: ArrayLike) -> NDArray[np.float64]:
         """Give the centres at `times`, (n_times, n_balls, 2) float64, in length; see `states`."""
@@ -208,8 +221,34 @@ class Run:
         """Give the velocities at `times`, (n_times, n_balls, 2) float64, in length per time; see `states`."""
         return self.states(times)[1]
 
+    def spins(self, times: ArrayLike) -> NDArray[np.float64]:
+        """Give the spins at `times` on a cloth, (n_times, n_balls, 3) float64, in radians per time by the right-hand rule.
+
+        NaN from when a ball is pocketed or off the table.
+
+        Raises
+        ------
+        RunError
+            When the balls are discs, which have none; else as `states`.
+        """
+        return self._spins(times)[0]
+
+    def motion(self, times: ArrayLike) -> NDArray[np.str_]:
+        """Give how the balls move at `times` on a cloth, (n_times, n_balls) str.
+
+        One of ``resting``, ``spinning`` (in place), ``sliding``, ``rolling``, ``airborne``, ``pocketed`` and
+        ``off_table``; raises as `spins` does.
+        """
+        return np.array(_engine.MOTIONS)[self._spins(times)[1]]
+
+    def _spins(self, times: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int8]]:
+        at = np.asarray(times, dtype=np.float64)
+        spins, codes = self._native.spins(np.ascontiguousarray(at).ravel())
+        balls = len(self.ball_ids)
+        return spins.reshape((*at.shape, balls, 3)), codes.reshape((*at.shape, balls))
+
     def energy(self, times: ArrayLike) -> NDArray[np.float64]:
-        """Give the kinetic energy at `times`, (n_times,) float64, in mass × (length per time)².
+        """Give the kinetic energy at `times`, (n_times,) float64, in mass × (length per time)²; that of spin included.
 
         In a field it is not conserved by itself: the energy that `diagnostics` speaks of is the sum of this and
         `potential_energy`.
@@ -220,15 +259,15 @@ class Run:
     def potential_energy(self, times: ArrayLike) -> NDArray[np.float64]:
         """Give the potential energy in the field at `times`, (n_times,) float64, in mass × (length per time)².
 
-        It is zero for balls at the origin, and everywhere without a field.
+        It is zero for balls at the origin, and everywhere without a field; over a cloth it is that of height, zero on it.
         """
         at = np.asarray(times, dtype=np.float64)
         return self._native.potential_energy(np.ascontiguousarray(at).ravel()).reshape(at.shape)
 
     def momentum(self, times: ArrayLike) -> NDArray[np.float64]:
-        """Give the total momentum at `times`, (n_times, 2) float64, in mass × length per time."""
+        """Give the total momentum at `times`, (n_times, 2) float64, (n_times, 3) on a cloth, in mass × length per time."""
         at = np.asarray(times, dtype=np.float64)
-        return self._native.momentum(np.ascontiguousarray(at).ravel()).reshape((*at.shape, 2))
+        return self._native.momentum(np.ascontiguousarray(at).ravel()).reshape((*at.shape, self._components))
 
     def sample_times(self, step: float) -> NDArray[np.float64]:
         """Give the times 0, `step`, 2 `step` and so on, and the end of the run; (n_times,) float64.
@@ -248,6 +287,9 @@ class Run:
     def trajectory(self, times: ArrayLike) -> ColumnTable:
         """Give the motion as a table: ``time``, and per ball ``<id>.x``, ``<id>.y``, ``<id>.vx``, ``<id>.vy``.
 
+        On a cloth each ball has ``<id>.z`` and ``<id>.vz`` too, its spin ``<id>.wx``, ``<id>.wy``, ``<id>.wz`` and its
+        ``<id>.motion``.
+
         Parameters
         ----------
         times : float or (n_times,) array of float
@@ -256,12 +298,63 @@ class Run:
         at = np.atleast_1d(np.asarray(times, dtype=np.float64))
         if at.ndim > 1:
             raise ValueError(f"times: must be a number or a list of them, got the shape {at.shape}")
-        positions, velocities = self.states(at)
-        columns = {"time": at}
+        vectors = dict(zip(("", "v"), self.states(at), strict=True))
+        if self.is_on_cloth:
+            vectors["w"] = self.spins(at)
+        columns: dict[str, NDArray[Any]] = {"time": at}
         for ball, name in enumerate(self.ball_ids):
-            columns |= {f"{name}.x": positions[:, ball, 0], f"{name}.y": positions[:, ball, 1]}
-            columns |= {f"{name}.vx": velocities[:, ball, 0], f"{name}.vy": velocities[:, ball, 1]}
+            for letter, values in vectors.items():
+                axes = "xyz"[: values.shape[-1]]
+                columns |= {f"{name}.{letter}{axis}": values[:, ball, k] for k, axis in enumerate(axes)}
+        if self.is_on_cloth:
+            motion = self.motion(at).astype(object)
+            columns |= {f"{name}.motion": motion[:, ball] for ball, name in enumerate(self.ball_ids)}
         return ColumnTable(columns)
+
+    @cached_property
+    def shot(self) -> ShotResult | None:
+        """What came of the shot: first ball hit, balls pocketed, cushions; None where the scenario has no shot."""
+        shot = self.scenario.to_dict().get("shot")
+        return None if shot is None else result_of(self, str(shot.get("cue_ball", "cue")))
+
+    def final_scenario(self) -> Scenario:
+        """Give the scenario of the balls where they lie at the end, without rack and shot.
+
+        Balls in pockets or off the table are left out; all else stays. Balls that still move keep their velocity and spin.
+
+        Raises
+        ------
+        RunError
+            When the balls are discs: use `resume` to go on.
+        """
+        if not self.is_on_cloth:
+            raise RunError("only the balls on a cloth come to lie; discs go on by resume")
+        values = self.scenario.to_dict()
+        own = {ball["id"]: ball for ball in self.scenario.expanded().to_dict()["balls"]}
+        positions, velocities = self.states(self.end_time)
+        spins = self.spins(self.end_time)
+        balls = []
+        for k, name in enumerate(self.ball_ids):
+            if np.isnan(positions[k, 0]):
+                continue
+            kept = {key: value for key, value in own[name].items() if key not in MOTION_KEYS}
+            ball = {**kept, "position": positions[k].tolist()}
+            moving = {"velocity": velocities[k].tolist(), "spin": spins[k].tolist()}
+            balls.append(ball | {key: vector for key, vector in moving.items() if any(vector)})
+        rest = {key: value for key, value in values.items() if key not in ("rack", "shot", "balls")}
+        return Scenario.from_dict({**rest, "balls": balls})
+
+    def next(self, shot: Shot | None = None, **keys: Any) -> Run:
+        """Play the next shot from where the balls lie: a `Shot`, or its keys.
+
+        Examples
+        --------
+        >>> import carom
+        >>> run = carom.load("nine_ball_break").run()
+        >>> run.next(V0=1, phi_deg=0).status
+        'at_rest'
+        """
+        return self.final_scenario().with_shot(shot, **keys).run()
 
     def resume(
         self, *, duration: float | None = None, collisions: int | None = None, max_events: int | None = None
@@ -389,7 +482,7 @@ class Run:
 
     def __repr__(self) -> str:
         values = self.scenario.to_dict()
-        return summary_of_run(values, self.status, self.end_time, self.diagnostics, self.digest)
+        return summary_of_run(values, self.ball_ids, self.status, self.end_time, self.diagnostics, self.digest)
 
     def _repr_html_(self) -> str:
         from carom.report import run_card

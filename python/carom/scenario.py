@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from carom import _engine, library
 from carom.ball import Ball
-from carom.encoding import to_json
+from carom.encoding import plain, to_json
 from carom.errors import ScenarioError
 from carom.files import write_text
 from carom.options import Record, check_counts, options_json
@@ -19,6 +19,7 @@ from carom.summary import summary_of_scenario
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from carom.cue import Shot
     from carom.events import Event
     from carom.method import Method
     from carom.physics import Physics
@@ -34,15 +35,15 @@ class Scenario:
     ----------
     table : Table
         The region the balls move in.
-    balls : sequence of Ball
-        The balls; at least one.
+    balls : sequence of Ball, optional
+        The balls; at least one, unless there is a `rack`, whose balls they then change or add to.
     physics : Physics, optional
         The laws; absent: free flight and elastic collisions.
     duration : float, optional
         How long a run goes on, in time. With neither this nor `collisions` it goes on until everything rests.
     **more
         Any other key of a scenario file: `title`, `description`, `collisions`, `max_events`, `record`,
-        `method`, `ball_defaults`, `units`.
+        `method`, `ball_defaults`, `units`; for cue sports `rack`, `cue` and `shot`.
 
     Raises
     ------
@@ -66,7 +67,7 @@ class Scenario:
     def __init__(
         self,
         table: Table | Mapping[str, Any],
-        balls: Sequence[Ball | Mapping[str, Any]],
+        balls: Sequence[Ball | Mapping[str, Any]] | None = None,
         *,
         physics: Physics | Mapping[str, Any] | None = None,
         duration: float | None = None,
@@ -185,6 +186,26 @@ class Scenario:
             raise TypeError(f"values: must be a mapping of paths to values, got {values!r}")
         return type(self)._of(self._native.with_values(to_json(values)))
 
+    def expanded(self) -> Scenario:
+        """Give the same scenario with the table's preset and the rack turned into plain keys."""
+        return type(self)._of(self._native.expanded())
+
+    @property
+    def is_on_cloth(self) -> bool:
+        """Whether the balls roll and spin on a cloth."""
+        return self._native.is_on_cloth
+
+    def with_shot(self, shot: Shot | Mapping[str, Any] | None = None, **keys: Any) -> Scenario:
+        """Give the scenario with another shot: a `Shot`, or its keys.
+
+        Examples
+        --------
+        >>> import carom
+        >>> carom.load("nine_ball_break").with_shot(V0=5, phi_deg=90).value("shot.V0")
+        5.0
+        """
+        return self.with_values({"shot": {**(plain(shot) if shot is not None else {}), **keys}})
+
     def outline(self) -> dict[str, Any]:
         """Give what there is to draw of the table.
 
@@ -193,7 +214,8 @@ class Scenario:
         dict
             ``bounds`` is [x_min, y_min, x_max, y_max]; ``size`` the table's size; ``pieces`` a list of lines
             (``start``, ``end``) and arcs (``center``, ``radius``, ``from_deg``, ``to_deg``), each with ``id``,
-            ``kind`` and ``part`` (``boundary`` or ``obstacle``).
+            ``kind`` and ``part`` (``boundary`` or ``obstacle``); ``pockets`` a list of circles (``id``, ``center``,
+            ``radius``).
         """
         outline: dict[str, Any] = json.loads(self._native.outline())
         return outline
@@ -277,7 +299,7 @@ class Scenario:
         return type(self).from_json, (self.to_json(),)
 
     def __repr__(self) -> str:
-        return summary_of_scenario(self.to_dict())
+        return summary_of_scenario(self.to_dict(), self.ball_ids)
 
     def _repr_html_(self) -> str:
         from carom.report import scenario_card

@@ -17,13 +17,18 @@ MORE = "..."
 Fact = tuple[str, str]
 
 
-def summary_of_scenario(values: Mapping[str, Any]) -> str:
+def summary_of_scenario(values: Mapping[str, Any], balls: Sequence[str]) -> str:
     """Give a scenario, as a dict, in a few lines."""
-    return block(f"Scenario {values['title']!r}" if "title" in values else "Scenario", facts_of_scenario(values))
+    return block(f"Scenario {values['title']!r}" if "title" in values else "Scenario", facts_of_scenario(values, balls))
 
 
 def summary_of_run(
-    values: Mapping[str, Any], status: str, end_time: float, diagnostics: Mapping[str, Any], digest: str | None
+    values: Mapping[str, Any],
+    balls: Sequence[str],
+    status: str,
+    end_time: float,
+    diagnostics: Mapping[str, Any],
+    digest: str | None,
 ) -> str:
     """Give a run, with its scenario as a dict, in a few lines."""
     units = values.get("units", {})
@@ -33,7 +38,7 @@ def summary_of_run(
     facts = [
         ("status", status),
         ("end time", _with_unit(end_time, units, "time")),
-        ("balls", str(len(values["balls"]))),
+        ("balls", str(len(balls))),
         ("events", f"{total} ({', '.join(counts)})" if counts else "0"),
         ("energy", f"{energies[0]} to {_with_unit(float(energies[1]), units, 'energy')}"),
         ("energy error", _with_unit(float(f"{diagnostics['energy_error']:.2g}"), units, "energy")),
@@ -45,10 +50,11 @@ def summary_of_run(
     return block(f"Run of {values['title']!r}" if "title" in values else "Run", facts)
 
 
-def facts_of_scenario(values: Mapping[str, Any]) -> list[Fact]:
+def facts_of_scenario(values: Mapping[str, Any], balls: Sequence[str]) -> list[Fact]:
     """Give what a scenario, as a dict, says, each by its name."""
     units = values.get("units", {})
-    facts = [("table", _table(values["table"])), ("balls", _named([ball["id"] for ball in values["balls"]]))]
+    facts = [("table", _table(values["table"])), ("balls", _named(balls))]
+    facts += [(name, _setting(values[name])) for name in ("rack", "cue", "shot") if name in values]
     for name, law in values.get("physics", {}).items():
         facts += _cushions(law) if name == "cushions" else [(f"physics.{name}", _setting(law))]
     facts.append(("method", _setting(values.get("method", {"kind": "exact"}))))

@@ -15,6 +15,7 @@ use pyo3::prelude::*;
 /// The native module of the package.
 #[pymodule]
 mod _engine {
+    use carom::flight::Motion;
     use carom::run::Kind;
     use pyo3::prelude::*;
 
@@ -31,6 +32,7 @@ mod _engine {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", carom::run::VERSION)?;
         module.add("PHYSICS_VERSION", carom::run::PHYSICS_VERSION)?;
+        module.add("MOTIONS", Motion::ALL.map(Motion::name))?;
         module.add("EVENT_KINDS", Kind::ALL.map(Kind::name))
     }
 }
