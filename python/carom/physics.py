@@ -123,7 +123,7 @@ class Frictional(Section):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Mathavan2014(Section):
-    """Balls with friction between them and of the one pressed onto the cloth; `normal` and `friction` as `Frictional`."""
+    """Balls with friction between them, and of the one pressed onto the cloth; parameters as of `Frictional`."""
 
     tag: ClassVar = {"law": "mathavan_2014"}
 

@@ -222,9 +222,9 @@ class Run:
         return self.states(times)[1]
 
     def spins(self, times: ArrayLike) -> NDArray[np.float64]:
-        """Give the spins at `times` on a cloth, (n_times, n_balls, 3) float64, in radians per time by the right-hand rule.
+        """Give the spins at `times` on a cloth, (n_times, n_balls, 3) float64, in radians per time.
 
-        NaN from when a ball is pocketed or off the table.
+        By the right-hand rule; NaN from when a ball is pocketed or off the table.
 
         Raises
         ------
@@ -259,13 +259,13 @@ class Run:
     def potential_energy(self, times: ArrayLike) -> NDArray[np.float64]:
         """Give the potential energy in the field at `times`, (n_times,) float64, in mass × (length per time)².
 
-        It is zero for balls at the origin, and everywhere without a field; over a cloth it is that of height, zero on it.
+        It is zero for balls at the origin, and everywhere without a field; on a cloth it is that of height.
         """
         at = np.asarray(times, dtype=np.float64)
         return self._native.potential_energy(np.ascontiguousarray(at).ravel()).reshape(at.shape)
 
     def momentum(self, times: ArrayLike) -> NDArray[np.float64]:
-        """Give the total momentum at `times`, (n_times, 2) float64, (n_times, 3) on a cloth, in mass × length per time."""
+        """Give the total momentum, (n_times, 2) float64, or (n_times, 3) on a cloth, in mass × length per time."""
         at = np.asarray(times, dtype=np.float64)
         return self._native.momentum(np.ascontiguousarray(at).ravel()).reshape((*at.shape, self._components))
 
@@ -320,7 +320,7 @@ class Run:
     def final_scenario(self) -> Scenario:
         """Give the scenario of the balls where they lie at the end, without rack and shot.
 
-        Balls in pockets or off the table are left out; all else stays. Balls that still move keep their velocity and spin.
+        Balls in pockets or off the table are left out; all else stays. What still moves keeps its velocity and spin.
 
         Raises
         ------
