@@ -42,6 +42,7 @@ class Ball(Section):
     _: KW_ONLY
     position: Vector
     velocity: Vector | None = None
+    spin: Vector | None = None
     speed: float | None = None
     direction_deg: float | None = None
     radius: float | None = None

@@ -197,7 +197,7 @@ class Run:
         """
         at = np.asarray(times, dtype=np.float64)
         positions, velocities = self._native.states(np.ascontiguousarray(at).ravel())
-        shape = (*at.shape, len(self.ball_ids), 2)
+        shape = (*at.shape, *positions.shape[1:])
         return positions.reshape(shape), velocities.reshape(shape)
 
     def positions(self, times: ArrayLike) -> NDArray[np.float64]:
@@ -228,7 +228,8 @@ class Run:
     def momentum(self, times: ArrayLike) -> NDArray[np.float64]:
         """Give the total momentum at `times`, (n_times, 2) float64, in mass × length per time."""
         at = np.asarray(times, dtype=np.float64)
-        return self._native.momentum(np.ascontiguousarray(at).ravel()).reshape((*at.shape, 2))
+        momentum = self._native.momentum(np.ascontiguousarray(at).ravel())
+        return momentum.reshape((*at.shape, *momentum.shape[1:]))
 
     def sample_times(self, step: float) -> NDArray[np.float64]:
         """Give the times 0, `step`, 2 `step` and so on, and the end of the run; (n_times,) float64.
