@@ -10,7 +10,7 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from carom.figures import style
-from carom.figures.table import points_per_unit
+from carom.figures.table import draw_balls, points_per_unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,30 +18,24 @@ if TYPE_CHECKING:
 
     from carom.figures.scene import Scene
 
-STRIPED = {str(number) for number in range(9, 16)}
-"""Pool balls with these numbers are white with a stripe."""
-BARE = "#fbfaf4"
 STRIPE = 0.55
 """Half the width of a stripe, over the radius."""
 SMALLEST_NAME = 5.0
 LETTER = 0.62  # width of a letter over its size
 
 
-def is_striped(scene: Scene, ball: int) -> bool:
-    """Tell whether a ball is a striped pool ball."""
-    return scene.on_cloth and scene.ids[ball] in STRIPED
-
-
-def face_colours(scene: Scene) -> list[str]:
-    """Give the colours of the discs: under a stripe they are white."""
-    return [BARE if is_striped(scene, ball) else colour for ball, colour in enumerate(scene.colours)]
+def draw_balls_of_cloth(ax: Axes, scene: Scene, places: NDArray[np.float64], *, zorder: float = 3.0) -> None:
+    """Draw balls with their stripes and, where there is room, their names; a ball whose place is not a number is none."""
+    draw_balls(ax, scene, places, zorder=zorder)
+    draw_stripes(ax, scene, places, zorder=zorder + 0.05)
+    draw_names(ax, scene, places, zorder=zorder + 0.1)
 
 
 def draw_stripes(ax: Axes, scene: Scene, places: NDArray[np.float64], *, zorder: float) -> None:
     """Draw the stripes of striped pool balls, whose discs are white."""
     band = _band()
     for ball, place in enumerate(places):
-        if is_striped(scene, ball) and np.all(np.isfinite(place)):
+        if scene.is_striped(ball) and np.all(np.isfinite(place)):
             shape = Path(np.asarray(band.vertices) * scene.radii[ball] + place, band.codes)
             ax.add_patch(PathPatch(shape, facecolor=scene.colours[ball], edgecolor="none", zorder=zorder))
 

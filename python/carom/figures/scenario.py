@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.collections import EllipseCollection
 
 from carom.figures import style
-from carom.figures.balls import draw_names, draw_stripes, face_colours
+from carom.figures.balls import draw_names, draw_stripes
 from carom.figures.scene import Scene
 from carom.figures.table import arrow_scale, draw_arrow, draw_table, framed_ratio, points_per_unit, shown_radii
 
@@ -74,7 +74,7 @@ def _draw_discs(ax: Axes, scene: Scene, places: NDArray[np.float64]) -> None:
         units="xy",
         offsets=places,
         offset_transform=ax.transData,
-        facecolors=face_colours(scene),
+        facecolors=scene.faces,
         edgecolors=style.BALL_EDGE,
         linewidths=edge,
         zorder=3.0,

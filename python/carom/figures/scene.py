@@ -23,6 +23,11 @@ if TYPE_CHECKING:
     from carom.scenario import Scenario
 
 
+STRIPED = {str(number) for number in range(9, 16)}
+"""Pool balls with these numbers are white with a stripe."""
+BARE = "#fbfaf4"
+
+
 @dataclass(frozen=True)
 class Scene:
     """A table and the balls on it, in file order.
@@ -92,6 +97,15 @@ class Scene:
             rails=rails,
             aim=Aim.of(values, dict(zip(ids, radii, strict=True))),
         )
+
+    def is_striped(self, ball: int) -> bool:
+        """Tell whether a ball is a striped pool ball."""
+        return self.on_cloth and self.ids[ball] in STRIPED
+
+    @property
+    def faces(self) -> list[str]:
+        """The colours of the discs: under a stripe they are white."""
+        return [BARE if self.is_striped(ball) else colour for ball, colour in enumerate(self.colours)]
 
     @property
     def width(self) -> float:

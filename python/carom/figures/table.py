@@ -131,7 +131,7 @@ def draw_balls(
         The discs, in order of the balls.
     """
     discs = []
-    for place, radius, colour in zip(positions, shown_radii(scene), scene.colours, strict=True):
+    for place, radius, colour in zip(positions, shown_radii(scene), scene.faces if filled else scene.colours, strict=True):
         if not np.all(np.isfinite(place)):
             continue
         disc = Circle(
