@@ -56,6 +56,7 @@ def draw_names(ax: Axes, scene: Scene, places: NDArray[np.float64], *, zorder: f
                 va="center_baseline",
                 zorder=zorder,
                 parse_math=False,
+                clip_on=True,
             )
 
 

@@ -228,7 +228,15 @@ def table_contains(scene: Scene) -> Any:
 
     def inside(points: NDArray[np.float64]) -> bool:
         points = points[np.all(np.isfinite(points), axis=1)]
+        if scene.rails is not None and not _within(scene, points):
+            return False
         held = [path.contains_points(points) == (part == "boundary") for part, path in loops if is_closed(path)]
         return bool(np.all(held))
 
     return inside
+
+
+def _within(scene: Scene, points: NDArray[np.float64]) -> bool:
+    """Tell whether points lie within the bounds, which may be those of a part of the table."""
+    low, high = np.array(scene.bounds[:2]), np.array(scene.bounds[2:])
+    return bool(np.all((points >= low) & (points <= high)))
