@@ -10,6 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Polygon
 
 from carom.figures import style
+from carom.figures.scene import BARE
 from carom.figures.table import framed_ratio
 
 if TYPE_CHECKING:
@@ -27,9 +28,9 @@ HEADING = 15.0
 FACE = 21.0
 DISC = 4.2
 SAMPLE = 19.0
-STICK = "#b98d58"
+STICK, BUTT = "#c99f6a", "#6b4a35"
 TIP = "#2b6cb0"
-"""The colours of a cue and of its chalked tip."""
+"""The colours of a cue, of its butt, and of its chalked tip."""
 
 
 @dataclass
@@ -111,6 +112,22 @@ def draw_face(ax: Axes, aim: Aim, centre: NDArray[np.float64], radius: float, co
     ax.add_patch(Circle((x, y), aim.limit * radius, **limit))
     tip = (x - aim.left * radius, y + aim.top * radius)
     ax.add_patch(Circle(tip, 3.0, facecolor=TIP, edgecolor="white", linewidth=0.7, zorder=3))
+
+
+def draw_stick(ax: Axes, scene: Scene, place: NDArray[np.float64]) -> None:
+    """Draw the cue on the table as seen from above, a little behind the ball at a place."""
+    aim = scene.aim
+    assert aim is not None
+    radius = float(scene.radii[scene.ids.index(aim.ball)])
+    ahead, left = aim.direction, np.array([-aim.direction[1], aim.direction[0]])
+    lean = float(np.cos(np.radians(aim.elevation_deg)))
+    front = place + aim.left * radius * left - 1.5 * radius * ahead
+    for start, end, colour in ((0.0, 0.012, TIP), (0.012, 0.03, BARE), (0.03, 0.7, STICK), (0.7, 1.0, BUTT)):
+        corners = []
+        for part, side in ((start, 1), (end, 1), (end, -1), (start, -1)):
+            thick = aim.tip + part * (aim.butt - aim.tip)
+            corners.append(front - part * aim.length * lean * ahead + side * thick * left)
+        ax.add_patch(Polygon(corners, facecolor=colour, edgecolor=style.INK, linewidth=0.3, zorder=3.3))
 
 
 def _draw_side(ax: Axes, aim: Aim, centre: NDArray[np.float64], radius: float, colour: str) -> None:

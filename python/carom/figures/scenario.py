@@ -9,8 +9,9 @@ from matplotlib.collections import EllipseCollection
 
 from carom.figures import style
 from carom.figures.balls import draw_names, draw_stripes
+from carom.figures.beside import draw_stick, new_axes_beside, note_aim
 from carom.figures.scene import Scene
-from carom.figures.table import arrow_scale, draw_arrow, draw_table, framed_ratio, points_per_unit, shown_radii
+from carom.figures.table import MARGIN, arrow_scale, draw_arrow, draw_table, framed_ratio, points_per_unit, shown_radii
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,7 +25,8 @@ MOST_ARROWS = 100
 def plot_scenario(scenario: Scenario, ax: Axes | None = None) -> Axes:
     """Draw a scenario at time 0.
 
-    A ball's id stands in its disc where there is room. Arrows show the velocities, all at one scale, where at most
+    A ball's id stands in its disc where there is room. A cue that will strike is drawn behind its ball; beside the table,
+    on a figure of its own, are the point that it touches and its numbers. Arrows show the velocities, all at one scale, where at most
     `MOST_ARROWS` balls move; more would hide the table.
 
     Parameters
@@ -39,6 +41,9 @@ def plot_scenario(scenario: Scenario, ax: Axes | None = None) -> Axes:
     Axes
     """
     scene = Scene.of(scenario)
+    if ax is None and scene.aim is not None:
+        ax, beside = new_axes_beside(scene, MARGIN)
+        note_aim(beside, scene)
     ax = _new_axes(scene) if ax is None else ax
     draw_table(ax, scene)
     ax.set_xlabel(scene.label("x", "length"), fontsize=style.LABEL_SIZE, labelpad=1)
@@ -50,6 +55,8 @@ def plot_scenario(scenario: Scenario, ax: Axes | None = None) -> Axes:
     draw_stripes(ax, scene, places, zorder=3.2)
     draw_names(ax, scene, places, zorder=3.5)
     _draw_velocities(ax, scene, places, velocities)
+    if scene.aim is not None:
+        draw_stick(ax, scene, places[scene.ids.index(scene.aim.ball)])
     return ax
 
 
