@@ -24,10 +24,13 @@ Values = Mapping[str, Any]
 
 def table_rows(scenario: Scenario) -> list[Row]:
     """Give the table's shape, its sizes, and the pieces and obstacles that it has."""
-    table: Values = scenario.to_dict()["table"]
+    written: Values = scenario.to_dict()["table"]
+    table: Values = scenario.expanded().to_dict()["table"]
     length = scenario.units.get("length")
-    rows = [Row("shape", table["shape"])]
-    sizes = {name: value for name, value in table.items() if name not in ("shape", "pieces", "obstacles")}
+    rows = [Row("preset", written["preset"])] if "preset" in written else []
+    rows.append(Row("shape", table["shape"]))
+    words = ("shape", "pieces", "obstacles", "pockets", "corner", "side", "nose_contact")
+    sizes = {name: value for name, value in table.items() if name not in words}
     # A whole number counts something, and is no length.
     rows += [
         Row(name, exact(value) if isinstance(value, int) else with_unit(short(value), length))
@@ -37,7 +40,18 @@ def table_rows(scenario: Scenario) -> list[Row]:
         x_min, y_min, x_max, y_max = scenario.outline()["bounds"]
         extent = f"{short(x_max - x_min)} × {short(y_max - y_min)}"
         rows.append(Row("extent", with_unit(extent, length)))
+    rows += [Row(f"{name} pockets", _numbers(table[name], length)) for name in ("corner", "side") if name in table]
+    rows += [Row("pockets", listed(pocket["id"] for pocket in table["pockets"]))] if "pockets" in table else []
+    rows += [Row("nose contact", table["nose_contact"])] if "nose_contact" in table else []
     return rows + _part_rows("pieces", table.get("pieces", [])) + _part_rows("obstacles", table.get("obstacles", []))
+
+
+def _numbers(values: Values, length: str | None) -> str:
+    """Give lengths and angles by their names."""
+    return ", ".join(
+        f"{name} {short(value)}°" if name.endswith("_deg") else f"{name} {with_unit(short(value), length)}"
+        for name, value in values.items()
+    )
 
 
 def _part_rows(name: str, parts: list[Values]) -> list[Row]:
@@ -92,7 +106,7 @@ def ball_table(scenario: Scenario) -> dict[str, Any]:
 
 def law_rows(scenario: Scenario) -> list[Row]:
     """Give the laws of motion and of contact, those that the scenario leaves out too."""
-    physics: Values = scenario.to_dict().get("physics", {})
+    physics: Values = scenario.expanded().to_dict().get("physics", {})
     elastic, cushion_laws, own = {"law": "elastic"}, choices("BallCushion"), physics.get("cushions", {})
     rows = [_law_row("between events", physics.get("flight", {"law": "free"}), choices("Flight"), scenario.units)]
     rows += [_law_row("two balls", physics.get("ball_ball", elastic), choices("BallBall"), scenario.units)]
@@ -102,7 +116,8 @@ def law_rows(scenario: Scenario) -> list[Row]:
         ("several at once", "cluster", choices("Cluster")),
         ("without end", "collapse", choices("Collapse")),
     ):
-        word = physics.get(key, next(iter(meanings)))
+        default = "hertz" if key == "cluster" and scenario.is_on_cloth else next(iter(meanings))
+        word = physics.get(key, default)
         rows.append(Row(name, word, meanings.get(word, "")))
     return rows
 
@@ -111,9 +126,17 @@ def _law_row(name: str, law: Values, meanings: Mapping[str, str], units: Mapping
     parts = [law["law"]]
     for key, value in law.items():
         if key != "law":
-            text = point(value) if isinstance(value, list) else short(value)
-            parts.append(f"{key} {with_unit(text, unit_of(units, key))}")
+            parts.append(f"{key} {with_unit(_text(value), unit_of(units, key))}")
     return Row(name, ", ".join(parts), meanings.get(law["law"], ""))
+
+
+def _text(value: Any) -> str:
+    """Give a parameter: a number, a word, a vector, or several by their names."""
+    if isinstance(value, Mapping):
+        return "(" + ", ".join(f"{name} {_text(inner)}" for name, inner in value.items()) + ")"
+    if isinstance(value, list):
+        return point(value) if len(value) == 2 else "(" + ", ".join(map(short, value)) + ")"
+    return ("yes" if value else "no") if isinstance(value, bool) else short(value)
 
 
 def method_rows(scenario: Scenario) -> list[Row]:
