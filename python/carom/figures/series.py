@@ -33,7 +33,8 @@ def plot_energy(run: Run, ax: Axes | None = None) -> Axes:
     """Draw the total energy and every ball's kinetic energy against time; on a cloth that of its spin, too.
 
     In a field, and where a ball flies over the cloth, the kinetic and the potential energy of all balls are drawn too,
-    and the total is their sum; the potential energy is zero at the lowest corner of the table's bounds, or on the cloth.
+    and the total is their sum; the potential energy is zero at the lowest corner of the table's bounds, or on the
+    cloth.
 
     Parameters
     ----------
