@@ -10,6 +10,7 @@
 
 mod ball_ball_with_spin;
 mod closed_forms;
+mod cloth_motion;
 mod clusters;
 mod conservation;
 mod continuation;
