@@ -73,7 +73,8 @@ fn a_slide_with_side_roll_is_a_parabola_and_ends_at_the_mean_of_velocity_and_rol
             assert!((state.position.plan() - at).norm() < 1e-14 * (1.0 + at.norm()));
         }
         let rolls = run.state(run.log.events[0].time).unwrap()[0];
-        let expected = Vec2::from_f64(velocity) * (5.0 / 7.0) + Vec2::new(spin[1], -spin[0]) * (2.0 / 7.0 * RADIUS);
+        let expected =
+            Vec2::from_f64(velocity) * (5.0 / 7.0) + Vec2::new(spin[1], -spin[0]) * (2.0 / 7.0 * RADIUS);
         assert!((rolls.twist.velocity.plan() - expected).norm() < 1e-14 * 6.0, "{rolls:?}");
         assert_eq!(slip(&rolls).norm().to_bits() >> 52 < 1023 - 45, true, "no slip is left: {rolls:?}");
     }
@@ -129,7 +130,8 @@ fn a_landing_rubs_the_ball_and_leaves_its_vertical_spin() {
     // Fallen from where it has v_z = −1 at the cloth, with a forward speed that the rubbing stops or does not stop: C7.
     for (forward, velocity_x, spin_y) in [(0.5, 0.357_143, 12.4984), (2.0, 1.7, 26.2467)] {
         let height = RADIUS + 1.0 / (2.0 * 9.81);
-        let entry = json!({ "velocity": [forward, 0, 0], "spin": [0, 0, 50], "position": [0.0, 0.0, height] });
+        let entry =
+            json!({ "velocity": [forward, 0, 0], "spin": [0, 0, 50], "position": [0.0, 0.0, height] });
         let run = one(ball("a", [0.0, 0.0], &entry));
         let landing = &run.log.events[0];
         assert_eq!(landing.kind, Kind::BallCloth);
@@ -144,10 +146,10 @@ fn a_landing_rubs_the_ball_and_leaves_its_vertical_spin() {
 
 #[test]
 fn without_air_balls_stay_on_the_cloth() {
-    let mut value = scene(&json!([
-        ball("a", [0.0, 0.0], &json!({})),
-        ball("b", [0.3, 0.0], &json!({ "radius": 0.03 })),
-    ]));
+    let mut value =
+        scene(&json!(
+            [ball("a", [0.0, 0.0], &json!({})), ball("b", [0.3, 0.0], &json!({ "radius": 0.03 })),]
+        ));
     value["physics"]["flight"]["air"] = json!(false);
     value["shot"] = json!({ "cue_ball": "a", "V0": 4, "phi_deg": 0, "theta_deg": 40 });
     let run = play(&value);
@@ -158,7 +160,8 @@ fn without_air_balls_stay_on_the_cloth() {
 
 #[test]
 fn without_friction_balls_keep_their_motion() {
-    let mut value = scene(&json!([ball("a", [0.0, 0.0], &json!({ "velocity": [1, 0.5], "spin": [1, 2, 3] }))]));
+    let mut value =
+        scene(&json!([ball("a", [0.0, 0.0], &json!({ "velocity": [1, 0.5], "spin": [1, 2, 3] }))]));
     value["ball_defaults"] = json!({
         "radius": RADIUS, "mass": 0.17, "sliding_friction": 0, "rolling_friction": 0, "spin_decay": 0 });
     value["duration"] = json!(4);
@@ -172,7 +175,8 @@ fn without_friction_balls_keep_their_motion() {
 
 #[test]
 fn without_rolling_friction_a_ball_rolls_on() {
-    let mut value = scene(&json!([ball("a", [-8.0, 0.0], &json!({ "velocity": [1, 0], "rolling_friction": 0 }))]));
+    let mut value =
+        scene(&json!([ball("a", [-8.0, 0.0], &json!({ "velocity": [1, 0], "rolling_friction": 0 }))]));
     value["duration"] = json!(10);
     let run = play(&value);
     assert_eq!(only(&run), [Kind::SlideToRoll]);
@@ -183,7 +187,9 @@ fn without_rolling_friction_a_ball_rolls_on() {
 
 #[test]
 fn without_gravity_nothing_slows_and_nothing_falls() {
-    for (velocity, end) in [([1.0, 0.0, 0.0], [3.0, 0.0, RADIUS]), ([1.0, 0.0, 2.0], [3.0, 0.0, RADIUS + 6.0])] {
+    for (velocity, end) in
+        [([1.0, 0.0, 0.0], [3.0, 0.0, RADIUS]), ([1.0, 0.0, 2.0], [3.0, 0.0, RADIUS + 6.0])]
+    {
         let mut value = scene(&json!([
             ball("a", [0.0, 0.0], &json!({ "velocity": velocity, "spin": [4, 5, 0] })),
             ball("b", [0.0, 1.0], &json!({ "velocity": [1.0, 0.0] })),
@@ -200,7 +206,8 @@ fn without_gravity_nothing_slows_and_nothing_falls() {
 
 #[test]
 fn balls_that_roll_side_by_side_or_one_after_the_other_do_not_meet() {
-    let rolls = |id: &str, at: [f64; 2]| ball(id, at, &json!({ "velocity": [1, 0], "spin": [0, 1.0 / RADIUS, 0] }));
+    let rolls =
+        |id: &str, at: [f64; 2]| ball(id, at, &json!({ "velocity": [1, 0], "spin": [0, 1.0 / RADIUS, 0] }));
     for gap in [0.0, 1e-12, 0.3] {
         for at in [[2.0 * RADIUS + gap, 0.0], [0.0, 2.0 * RADIUS + gap]] {
             let run = play(&scene(&json!([rolls("a", [0.0, 0.0]), rolls("b", at)])));

@@ -10,7 +10,9 @@
 
 mod ball_ball_with_spin;
 mod closed_forms;
+mod cloth_contacts;
 mod cloth_motion;
+mod cloth_rest;
 mod clusters;
 mod conservation;
 mod continuation;

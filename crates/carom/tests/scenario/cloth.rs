@@ -95,10 +95,7 @@ fn what_rolls_needs_a_cloth() {
     assert_eq!(table("pockets = [{ id = 'p', center = [0, 0], radius = 0.1 }]"), only("table.pockets"));
     assert_eq!(broken("[0.5, 1.0]", "[0.5, 1.0, 0.075]"), only("balls[1].position[2]"));
     assert_eq!(
-        discs(
-            "ball_defaults.spin_decay = 1",
-            "spin = [0, 0, 1]\nsliding_friction = 0.1"
-        ),
+        discs("ball_defaults.spin_decay = 1", "spin = [0, 0, 1]\nsliding_friction = 0.1"),
         ["ball_defaults.spin_decay", "balls[0].sliding_friction", "balls[0].spin"]
             .map(|place| format!("{place}: {needs}")),
         "all of them at once"
@@ -111,7 +108,9 @@ fn what_nothing_slows_needs_an_end() {
         problems(&format!("physics.flight.law = 'cloth'\n{keys}\n{TABLE}{BALL}{ball}\n"))
     };
     let endless = |reason: &str| {
-        [format!("duration: missing, and not everything comes to rest: {reason}; give duration or collisions")]
+        [format!(
+            "duration: missing, and not everything comes to rest: {reason}; give duration or collisions"
+        )]
     };
     for key in ["sliding_friction", "rolling_friction", "spin_decay"] {
         let zero = format!("ball_defaults.{key} = 0");
