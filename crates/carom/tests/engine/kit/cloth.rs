@@ -1,5 +1,6 @@
 //! Balls on a cloth in whole runs.
 
+use super::random::Random;
 use carom::run::{Kind, OnCloth, Run};
 use carom::scenario::Scenario;
 use carom::simulate::simulate_until;
@@ -65,4 +66,39 @@ pub fn no_higher(run: &Run<f64, OnCloth>, a: f64, b: f64) {
     for (ball, flight) in &run.log.flights {
         assert_eq!(flight.height, [a, b][*ball as usize]);
     }
+}
+
+/// A shot on a table with pockets: a rack or balls anywhere, with the strike, the laws and the elevation drawn by lot.
+pub fn random_shot(seed: u64) -> Value {
+    for attempt in 0.. {
+        let mut random = Random::new(seed * 1000 + attempt);
+        let mut value = json!({ "table": { "preset": "pool_9ft" } });
+        if seed % 3 == 0 {
+            let spacing = if random.flips() { 0.0 } else { 1e-3 };
+            let game = *random.choose(&["eight_ball", "nine_ball"]);
+            value["rack"] = json!({ "game": game, "seed": seed, "spacing": spacing });
+        } else {
+            let place = |random: &mut Random| [random.between(0.05, 1.2), random.between(0.05, 2.4)];
+            let mut balls = vec![ball("cue", place(&mut random), &json!({}))];
+            for k in 0..1 + random.below(8) {
+                balls.push(ball(&k.to_string(), place(&mut random), &json!({})));
+            }
+            value["balls"] = json!(balls);
+        }
+        let cluster = *random.choose(&["hertz", "hertz", "reflections", "pairwise"]);
+        value["physics"] = json!({ "cluster": cluster });
+        let (offset, turn) = (0.5 * random.unit(), random.direction());
+        let elevation = if random.flips() { random.between(0.0, 5.0) } else { random.between(5.0, 70.0) };
+        value["shot"] = json!({
+            "cue_ball": "cue", "V0": random.between(0.5, 8.0), "phi_deg": random.between(0.0, 360.0),
+            "theta_deg": elevation, "a": offset * turn[0], "b": offset * turn[1],
+        });
+        if seed % 3 == 0 {
+            value["shot"]["phi_deg"] = json!(90);
+        }
+        if Scenario::from_json(&value.to_string()).is_ok() {
+            return value;
+        }
+    }
+    unreachable!("some placement has no overlap")
 }
