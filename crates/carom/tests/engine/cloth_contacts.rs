@@ -13,9 +13,9 @@ fn after(run: &Run<f64, OnCloth>) -> (Vec<Vec2<f64>>, Vec<Vec2<f64>>) {
         |time: f64| run.state(time).unwrap().iter().map(|s| s.twist.velocity.plan()).collect::<Vec<_>>();
     // Before the hit balls still roll as on the flight that ends with it.
     let before = (0..run.balls.len()).map(|ball| {
-        let of_ball =
+        let mut of_ball =
             run.log.flights.iter().filter(|(b, flight)| *b as usize == ball && flight.start() < hit);
-        let flight = of_ball.last().map_or(run.log.flights[ball].1, |(_, flight)| *flight);
+        let flight = of_ball.next_back().map_or(run.log.flights[ball].1, |(_, flight)| *flight);
         flight.velocity_after(hit - flight.start()).plan()
     });
     (before.collect(), plan(hit))
@@ -98,7 +98,7 @@ fn several(balls: &[[f64; 2]], cluster: &str) -> Vec<Vec2<f64>> {
     value["duration"] = json!(1e-4);
     let run = play(&value);
     // The last contact of all, as pairs meet one after the other.
-    let last = run.log.events.iter().filter(|event| event.kind == Kind::BallBall).last().unwrap();
+    let last = run.log.events.iter().rfind(|event| event.kind == Kind::BallBall).unwrap();
     run.state(last.time).unwrap().iter().map(|state| state.twist.velocity.plan()).collect()
 }
 

@@ -93,7 +93,8 @@ fn a_ball_frozen_to_a_cushion_that_slides_into_it() {
         ] {
             let at = ball("a", [reach(nose), 0.9], &json!({ "velocity": velocity, "spin": spin }));
             for cushion in cushions() {
-                let run = play(&boxed(&[at.clone()], nose, &cushion, &json!({ "law": "elastic" })));
+                let run =
+                    play(&boxed(std::slice::from_ref(&at), nose, &cushion, &json!({ "law": "elastic" })));
                 is_sound(&format!("{velocity:?} {spin:?} {nose} {cushion}"), &run);
             }
         }

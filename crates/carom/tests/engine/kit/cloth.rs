@@ -73,7 +73,7 @@ pub fn random_shot(seed: u64) -> Value {
     for attempt in 0.. {
         let mut random = Random::new(seed * 1000 + attempt);
         let mut value = json!({ "table": { "preset": "pool_9ft" } });
-        if seed % 3 == 0 {
+        if seed.is_multiple_of(3) {
             let spacing = if random.flips() { 0.0 } else { 1e-3 };
             let game = *random.choose(&["eight_ball", "nine_ball"]);
             value["rack"] = json!({ "game": game, "seed": seed, "spacing": spacing });
@@ -93,12 +93,12 @@ pub fn random_shot(seed: u64) -> Value {
             "cue_ball": "cue", "V0": random.between(0.5, 8.0), "phi_deg": random.between(0.0, 360.0),
             "theta_deg": elevation, "a": offset * turn[0], "b": offset * turn[1],
         });
-        if seed % 3 == 0 {
+        if seed.is_multiple_of(3) {
             value["shot"]["phi_deg"] = json!(90);
         }
         if Scenario::from_json(&value.to_string()).is_ok() {
             return value;
         }
     }
-    unreachable!("some placement has no overlap")
+    panic!("some placement has no overlap")
 }
