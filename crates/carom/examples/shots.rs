@@ -3,11 +3,12 @@
 //! `cargo run --release --example shots -- [COUNT] [SEED]`; `make campaign` runs a million. Shot k of a seed is the same
 //! whatever the count, and a shot that breaks something is printed as a scenario to replay it.
 
-// A program that prints what it found; its own random numbers need not have the same bits everywhere.
+// A program that prints what it found; the places of balls that it makes up need not have the same bits everywhere.
 #![allow(clippy::print_stdout, clippy::expect_used, clippy::disallowed_methods)]
 
 use carom::flight::{Motion, SphereState};
 use carom::model::Table;
+use carom::random::Random;
 use carom::run::{OnCloth, Run, SimulationError};
 use carom::scenario::{ClothSystem, Scenario, ScenarioError};
 use carom::simulate::simulate_until;
@@ -33,38 +34,24 @@ const GAMES: [&str; 5] = ["eight_ball", "nine_ball", "ten_ball", "straight_pool"
 /// A shot is rolled anew if its balls overlap; more often than this it is given up.
 const TRIES: u64 = 200;
 
-struct Random(u64);
+/// What random shots are made of, drawn by the engine's own generator.
+struct Dice(Random);
 
-impl Random {
+impl Dice {
     fn new(seed: u64, shot: u64, attempt: u64) -> Self {
-        let mut random = Self(seed ^ shot.wrapping_mul(0xD134_2543_DE82_EF95) ^ attempt.rotate_left(48));
-        random.next();
-        random
-    }
-
-    /// Steele, Lea and Flood's SplitMix64.
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 * 2.0_f64.powi(-53)
+        Self(Random::new(seed, &format!("shot {shot}.{attempt}")))
     }
 
     fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
+        low + (high - low) * self.0.unit()
     }
 
     fn chance(&mut self, probability: f64) -> bool {
-        self.unit() < probability
+        self.0.unit() < probability
     }
 
     fn one_of<'a, T>(&mut self, items: &'a [T]) -> &'a T {
-        &items[(self.next() % items.len() as u64) as usize]
+        &items[self.0.below(items.len())]
     }
 }
 
@@ -136,7 +123,7 @@ fn report(tally: &Tally, count: u64, seed: u64, seconds: f64, threads: usize) {
 
 fn play(seed: u64, shot: u64, tally: &Mutex<Tally>) {
     for attempt in 0..TRIES {
-        let mut random = Random::new(seed, shot, attempt);
+        let mut random = Dice::new(seed, shot, attempt);
         let value = random_shot(&mut random);
         let Ok(scenario) = checked(&value) else {
             tally.lock().expect("no thread panicked").rerolled += 1;
@@ -238,13 +225,13 @@ fn is_outside(system: &ClothSystem<f64>, state: &SphereState<f64>, tolerance: f6
 }
 
 /// A shot on a table of one of the presets: a rack, or balls strewn about, some of them frozen.
-fn random_shot(random: &mut Random) -> Value {
+fn random_shot(random: &mut Dice) -> Value {
     let preset = *random.one_of(&PRESETS);
     let mut value = json!({ "table": { "preset": preset } });
     if random.chance(0.4) && preset != "carom_10ft" {
         let game = if preset.contains("snooker") { "snooker" } else { random.one_of(&GAMES) };
         let spacing = if random.chance(0.5) { 0.0 } else { random.within(0.0, 2e-3) };
-        value["rack"] = json!({ "game": game, "seed": random.next() >> 12, "spacing": spacing });
+        value["rack"] = json!({ "game": game, "seed": random.0.bits() >> 12, "spacing": spacing });
         if spacing > 0.0 && random.chance(0.5) {
             value["rack"]["jitter"] = json!(spacing * 0.5);
         }
@@ -256,7 +243,7 @@ fn random_shot(random: &mut Random) -> Value {
     value
 }
 
-fn random_laws(random: &mut Random, value: &mut Value) {
+fn random_laws(random: &mut Dice, value: &mut Value) {
     let normal = random.within(0.0, 1.0);
     let ball_ball = [
         json!({ "law": "elastic" }),
@@ -283,30 +270,30 @@ fn random_laws(random: &mut Random, value: &mut Value) {
     }
 }
 
-fn strike(random: &mut Random, cue_ball: &str) -> Value {
-    let (offset, angle) = (0.54 * random.unit().sqrt(), random.within(0.0, 360.0).to_radians());
+fn strike(random: &mut Dice, cue_ball: &str) -> Value {
+    let [left, top] = random.0.in_disc().map(|offset| 0.54 * offset);
     let elevation = if random.chance(0.3) { random.within(0.0, 80.0) } else { random.within(0.0, 6.0) };
     json!({
         "cue_ball": cue_ball,
         "V0": if random.chance(0.1) { random.within(0.0, 0.3) } else { random.within(0.3, 8.0) },
         "phi_deg": if random.chance(0.2) { 90.0 } else { random.within(0.0, 360.0) },
         "theta_deg": elevation,
-        "a": offset * angle.cos(),
-        "b": offset * angle.sin(),
+        "a": left,
+        "b": top,
     })
 }
 
 /// Up to ten balls: anywhere, frozen to an earlier one, or frozen to a cushion.
-fn strewn(random: &mut Random, preset: &str) -> Value {
+fn strewn(random: &mut Dice, preset: &str) -> Value {
     let (table, radius, reach) = measures(preset);
     let (width, length) = (table.bounds.max.x, table.bounds.max.y);
     let mut places: Vec<[f64; 2]> = Vec::new();
-    for _ in 0..=random.next() % 10 {
+    for _ in 0..=random.0.below(10) {
         let anywhere = [random.within(radius, width - radius), random.within(radius, length - radius)];
         let place = match places.last() {
             Some(&[x, y]) if random.chance(0.35) => {
                 let angle = if random.chance(0.5) {
-                    60.0 * (random.next() % 6) as f64
+                    60.0 * random.0.below(6) as f64
                 } else {
                     random.within(0.0, 360.0)
                 };

@@ -2,7 +2,7 @@
 
 use super::Surroundings;
 use crate::flight::Flight;
-use crate::geometry::Vec2;
+use crate::geometry::{Vec2, Vector};
 use crate::model::{ContactTolerance, closing_threshold};
 use crate::roots::{Polynomial, first_contact};
 use crate::scalar::Scalar;
@@ -117,7 +117,7 @@ fn detect_near<S: Scalar>(
     if acceleration == Vec2::ZERO {
         return (slope < -threshold).then_some(S::ZERO);
     }
-    let mut gap = gap_polynomial(relative, acceleration, gap);
+    let mut gap = squared_gap(relative.position, relative.velocity, acceleration, gap);
     let [start, slope_of_gap, ..] = gap.coefficients;
     if start.abs() <= tolerance && slope.abs() <= threshold {
         gap.coefficients[1] = slope_of_gap - slope_of_gap.detached();
@@ -140,17 +140,21 @@ fn straight_meeting<S: Scalar>(relative: &Relative<S>, gap: S, radii: S) -> S {
     if discriminant > S::ZERO { gap / (discriminant.sqrt() - slope) } else { S::INFINITY }
 }
 
-/// The squared gap `|Δ + w s + k s²|² − r²` with `k` half the relative acceleration.
-fn gap_polynomial<S: Scalar>(relative: &Relative<S>, acceleration: Vec2<S>, gap: S) -> Polynomial<S> {
+/// The squared gap `|Δ + w s + k s²|² − r²` with `k` half the relative acceleration, in the plane or in space.
+pub(super) fn squared_gap<S: Scalar, V: Vector<S>>(
+    position: V,
+    velocity: V,
+    acceleration: V,
+    gap: S,
+) -> Polynomial<S> {
     let two = S::from_f64(2.0);
     let half = acceleration * S::from_f64(0.5);
-    let (position, velocity) = (relative.position, relative.velocity);
     Polynomial::new([
         gap,
         two * velocity.dot(position),
-        velocity.norm_squared() + two * half.dot(position),
+        velocity.dot(velocity) + two * half.dot(position),
         two * half.dot(velocity),
-        half.norm_squared(),
+        half.dot(half),
     ])
 }
 

@@ -1,7 +1,7 @@
 //! Pockets and noses: what a table for cue sports has beside its cushions.
 
 use crate::geometry::Vec2;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, other_leg};
 
 /// A hole in the table: a ball whose centre comes inside the circle falls.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,10 +48,8 @@ impl<S: Scalar> Nose<S> {
     pub fn reach(&self, radius: S, height: S) -> S {
         match (self.height, self.contact) {
             (None, _) | (_, NoseContact::Plan) => radius,
-            (Some(nose), NoseContact::Nose) => {
-                let squared = radius.squared() - (nose - height).squared();
-                if squared > S::ZERO { squared.sqrt() } else { S::ZERO }
-            }
+            (Some(_), NoseContact::Nose) if radius == S::ZERO => S::ZERO,
+            (Some(nose), NoseContact::Nose) => radius * other_leg((nose - height) / radius),
         }
     }
 }

@@ -1,8 +1,7 @@
 //! A checked scenario of balls on a cloth made ready to compute.
 
 use super::layout::Number;
-use super::schema::Cluster;
-use super::schema::{self, Scenario};
+use super::schema::{self, Cluster, Scenario};
 use super::shot::{CueStart, ShotStart};
 use super::start::BallStart;
 use super::system::{CushionLaws, cushion_ids, faces};
@@ -11,7 +10,7 @@ use crate::geometry::{Bounds, Vec3};
 use crate::law::coefficient::{IncidenceFriction, NormalRestitution, SlipFriction};
 use crate::law::{ball_ball, ball_cushion, cue_ball};
 use crate::model::{ContactTolerance, Face, Hole, Nose, NoseContact, Sphere, Table, Twist};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, other_leg};
 
 /// Everything the engine needs, with every number in `S` and every name turned into an index.
 ///
@@ -93,9 +92,7 @@ impl<S: Scalar> ClothSystem<S> {
     pub fn height_energy(&self, sphere: &Sphere<S>, position: Vec3<S>) -> S {
         sphere.mass * self.cloth.gravity * (position.z - sphere.radius)
     }
-}
 
-impl<S: Scalar> ClothSystem<S> {
     /// The system of a checked scenario of balls on a cloth.
     pub fn new(scenario: &Scenario) -> Self {
         Self::with(scenario, &mut |_, value| S::from_f64(value))
@@ -188,15 +185,15 @@ fn stroke<S: Scalar>(scenario: &Scenario, number: Number<'_, S>) -> Option<Strok
 fn nose_reach<S: Scalar>(sphere: &Sphere<S>, nose: &Nose<S>) -> NoseReach<S> {
     let height = nose.height.unwrap_or(sphere.radius);
     let sin = (height - sphere.radius) / sphere.radius;
-    let cos = (S::ONE - sin.squared()).sqrt();
-    let (reach, direction) = match nose.contact {
-        NoseContact::Nose => (sphere.radius * cos, (sin, cos)),
+    let cos = other_leg(sin);
+    let direction = match nose.contact {
+        NoseContact::Nose => (sin, cos),
         NoseContact::Plan => {
             let slant = (S::ONE + sin.squared()).sqrt();
-            (sphere.radius, (sin / slant, S::ONE / slant))
+            (sin / slant, S::ONE / slant)
         }
     };
-    NoseReach { height, reach, tilt: (sin, cos), direction }
+    NoseReach { height, reach: nose.reach(sphere.radius, sphere.radius), tilt: (sin, cos), direction }
 }
 
 fn cushion_law<S: Scalar>(

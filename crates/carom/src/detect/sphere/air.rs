@@ -1,7 +1,8 @@
 //! Meetings in the air.
 
+use crate::detect::ball_ball::squared_gap;
 use crate::flight::SphereFlight;
-use crate::geometry::Vec3;
+use crate::geometry::{Vec2, Vec3, Vector};
 use crate::model::{ContactTolerance, Face, Hole, Line, Round};
 use crate::roots::{Enclosure, Gap, Interval, Polynomial, first_closing_crossing, first_contact};
 use crate::scalar::Scalar;
@@ -32,33 +33,11 @@ pub(super) fn detect_ball<S: Scalar>(
     let slope = position.dot(velocities[1] - velocities[0]);
     let tolerance = S::from_f64(2.0) * radii * tolerance.of(radii);
     let mut gap = squared_gap(position, velocities[1] - velocities[0], acceleration, gap);
-    let threshold = (size(velocities[0]) + size(velocities[1])) * S::from_f64(32.0 * S::EPSILON) * radii;
+    let threshold = (velocities[0].size() + velocities[1].size()) * S::from_f64(32.0 * S::EPSILON) * radii;
     if gap.coefficients[0].abs() <= tolerance && slope.abs() <= threshold {
         gap.coefficients[1] = gap.coefficients[1] - gap.coefficients[1].detached();
     }
     first_contact(&gap, tolerance, |offset| offset <= horizon)
-}
-
-fn size<S: Scalar>(v: Vec3<S>) -> S {
-    v.x.abs() + v.y.abs() + v.z.abs()
-}
-
-/// `|Δ + w s + k s²|²` less a constant, with `k` half the acceleration.
-fn squared_gap<S: Scalar>(
-    position: Vec3<S>,
-    velocity: Vec3<S>,
-    acceleration: Vec3<S>,
-    gap: S,
-) -> Polynomial<S> {
-    let two = S::from_f64(2.0);
-    let half = acceleration * S::from_f64(0.5);
-    Polynomial::new([
-        gap,
-        two * velocity.dot(position),
-        velocity.norm_squared() + two * half.dot(position),
-        two * half.dot(velocity),
-        half.norm_squared(),
-    ])
 }
 
 /// The offset at which a ball in the air touches the nose of a cushion, at the height `nose`, or passes over it.
@@ -162,12 +141,7 @@ fn pass_round<S: Scalar>(flight: &SphereFlight<S>, round: &Round<S>, tolerance: 
 }
 
 /// `±(|r − c|² − ρ²)` along a flight through the air, which is straight in plan.
-fn circle_gap<S: Scalar>(
-    flight: &SphereFlight<S>,
-    center: crate::geometry::Vec2<S>,
-    radius: S,
-    side: S,
-) -> Polynomial<S> {
+fn circle_gap<S: Scalar>(flight: &SphereFlight<S>, center: Vec2<S>, radius: S, side: S) -> Polynomial<S> {
     let (from, velocity) = (flight.plan.position - center, flight.plan.velocity);
     let gap = side * (from.norm_squared() - radius.squared());
     let slope = side * S::from_f64(2.0) * from.dot(velocity);

@@ -25,22 +25,26 @@ impl<S: Scalar> Spheres<S> {
         sphere.kinetic_energy(&state.twist) + self.system.height_energy(sphere, state.position)
     }
 
-    /// Accounts for what the cloth took from a ball on the flight that it is on, up to a time.
-    pub(super) fn account_for_friction(&mut self, ball: usize, time: S) {
-        let Ball { flight, .. } = &self.balls[ball];
-        if flight.motion.is_out() {
-            return;
-        }
-        let change = (self.ball_energy(ball, time) - self.ball_energy(ball, flight.start())).to_f64();
-        self.note_change(change);
+    /// What the cloth did to the energy of a ball on the flight that it is on, up to a time.
+    fn change_under_way(&self, ball: usize, time: S) -> f64 {
+        let start = self.balls[ball].flight.start();
+        (self.ball_energy(ball, time) - self.ball_energy(ball, start)).to_f64()
     }
 
-    /// Accounts for what a contact did to the energy of a ball that then begins a flight.
-    pub(super) fn account_for_contact(&mut self, ball: usize, before: &Twist<S>, after: &SphereFlight<S>) {
-        let sphere = &self.balls[ball].sphere;
-        let after = sphere.kinetic_energy(&after.state_after(S::ZERO).twist);
-        let change = (after - sphere.kinetic_energy(before)).to_f64();
-        self.note_change(change);
+    /// Accounts for what the cloth took from a ball on the flight that it is on, up to a time.
+    pub(super) fn account_for_friction(&mut self, ball: usize, time: S) {
+        self.note_change(self.change_under_way(ball, time));
+    }
+
+    /// Accounts for what a contact did to the energy of balls that moved so before it and then begin these flights.
+    pub(super) fn account_for_contact(&mut self, before: &[Twist<S>], flights: &[(usize, SphereFlight<S>)]) {
+        let mut change = S::ZERO;
+        for (before, (ball, flight)) in before.iter().zip(flights) {
+            let sphere = &self.balls[*ball].sphere;
+            let after = sphere.kinetic_energy(&flight.state_after(S::ZERO).twist);
+            change += after - sphere.kinetic_energy(before);
+        }
+        self.note_change(change.to_f64());
     }
 
     /// What is lost counts as the law's; a gain is none of any law's.
@@ -54,19 +58,13 @@ impl<S: Scalar> Spheres<S> {
     /// Sums the energy and notes how far it is from what is accounted for.
     pub(super) fn sum_energy(&mut self, time: S) {
         let energy = self.energy_at(time);
-        let under_way: f64 = (0..self.balls.len()).map(|ball| self.lost_under_way(ball, time)).sum();
+        let under_way: f64 = (0..self.balls.len()).map(|ball| self.change_under_way(ball, time)).sum();
         let diagnostics = &mut self.diagnostics;
-        let drift = (energy - diagnostics.initial_energy + diagnostics.energy_loss + under_way).abs();
+        let drift = (energy - diagnostics.initial_energy + diagnostics.energy_loss - under_way).abs();
         if !energy.is_finite() {
             self.fault = Some(Fault::NotFinite);
         }
         diagnostics.final_energy = energy;
         diagnostics.energy_drift = diagnostics.energy_drift.max(drift);
-    }
-
-    /// What the cloth took from a ball on its flight so far.
-    fn lost_under_way(&self, ball: usize, time: S) -> f64 {
-        let start = self.balls[ball].flight.start();
-        (self.ball_energy(ball, start) - self.ball_energy(ball, time)).to_f64()
     }
 }

@@ -198,9 +198,9 @@ impl<S: Scalar> Spheres<S> {
             (*ball, self.flight_after(*ball, time, *position, twist, twists[k], Cause::Blow))
         };
         let flights: Vec<_> = moved.iter().map(flight).collect();
-        let before: Vec<_> = moved.iter().map(|&k| members[k]).collect();
-        self.account_for_blow(&before, &flights);
-        before.iter().for_each(|m| self.note_contact(m.ball, time));
+        let before: Vec<_> = moved.iter().map(|&k| members[k].twist).collect();
+        self.account_for_contact(&before, &flights);
+        flights.iter().for_each(|(ball, _)| self.note_contact(*ball, time));
         self.begin_flights(&flights, observer);
         let cluster = Some(self.diagnostics.clusters as u32);
         let row = |touch: &Touch<S, Vec3<S>, SphereLaw<S>>| {

@@ -5,7 +5,7 @@ use super::hop::{hop_apart, stop};
 use super::{Ball, Spheres};
 use crate::engine::interface::Fault;
 use crate::flight::{Motion, SphereFlight};
-use crate::geometry::{Vec2, Vec3};
+use crate::geometry::Vec3;
 use crate::law::ball_ball::{SphereImpact, SpherePair};
 use crate::law::collapse::restitution_keeping;
 use crate::model::{Sphere, Twist};
@@ -96,12 +96,8 @@ impl<S: Scalar> Spheres<S> {
         let [a, b] = self.flights_of(meeting, time).map(|(_, flight)| flight);
         let normal = meeting.normal;
         let pull = (a.acceleration() - b.acceleration()).dot(normal);
-        let round_off = threshold(&meeting.balls) * S::from_f64(4.0);
-        let hop_speed = pull * self.hop_time(&meeting.balls);
-        let least = if hop_speed > round_off { hop_speed } else { round_off };
-        let parting = b.velocity_after(S::ZERO) - a.velocity_after(S::ZERO);
-        let lacking = least - parting.dot(normal);
-        if lacking > S::ZERO {
+        let parting = (b.velocity_after(S::ZERO) - a.velocity_after(S::ZERO)).dot(normal);
+        if let Some(lacking) = self.lacking_speed(&meeting.balls, pull, parting) {
             let spheres = meeting.balls.map(|ball| ball.sphere);
             let SphereImpact { twists, impulse } = meeting.impact;
             let hop = hop_apart([(spheres[0], twists[0]), (spheres[1], twists[1])], meeting.normal, lacking);
@@ -109,10 +105,15 @@ impl<S: Scalar> Spheres<S> {
         }
     }
 
-    /// Half the time that a hop lasts at least: t_c/2.
-    fn hop_time(&self, balls: &[Present<S>; 2]) -> S {
-        let [a, b] = balls.map(|ball| self.system.hop_times[ball.ball]);
-        (if b < a { b } else { a }) * S::from_f64(0.5)
+    /// What balls that are pulled together, or one that is pulled onto a cushion, lack of the speed of a hop that lasts t_c;
+    /// in any case of more than round-off.
+    pub(super) fn lacking_speed(&self, balls: &[Present<S>], pull: S, parting_speed: S) -> Option<S> {
+        let times = balls.iter().map(|ball| self.system.hop_times[ball.ball]);
+        let hop_time = times.fold(S::INFINITY, |least, time| if time < least { time } else { least });
+        let hop_speed = pull * (hop_time * S::from_f64(0.5));
+        let round_off = threshold(balls) * S::from_f64(4.0);
+        let lacking = (if hop_speed > round_off { hop_speed } else { round_off }) - parting_speed;
+        (lacking > S::ZERO).then_some(lacking)
     }
 
     fn flights_of(&self, meeting: &Meeting<S>, time: S) -> [(usize, SphereFlight<S>); 2] {
@@ -130,7 +131,7 @@ impl<S: Scalar> Spheres<S> {
         self.note_distance(meeting);
         self.note_contact(a.ball, time);
         self.note_contact(b.ball, time);
-        self.account_for_blow(&[*a, *b], &flights);
+        self.account_for_contact(&[a.twist, b.twist], &flights);
         self.begin_flights(&flights, observer);
         let event = contact_event([a, b], meeting.normal, time, meeting.closing_speed, impact.impulse);
         self.emit(&event, observer);
@@ -177,16 +178,6 @@ impl<S: Scalar> Spheres<S> {
         track.burst > JAM_LIMIT
             && time - track.burst_start <= self.system.collapse_times[ball.ball]
             && ball.twist.velocity.norm_squared() < slow.squared()
-    }
-
-    /// Accounts for what a blow did to the energy of balls that then begin these flights.
-    pub(super) fn account_for_blow(&mut self, before: &[Present<S>], flights: &[(usize, SphereFlight<S>)]) {
-        let mut change = S::ZERO;
-        for (present, (_, flight)) in before.iter().zip(flights) {
-            let after = present.sphere.kinetic_energy(&flight.state_after(S::ZERO).twist);
-            change += after - present.sphere.kinetic_energy(&present.twist);
-        }
-        self.note_change(change.to_f64());
     }
 
     /// Starts the new flights of several balls, and then predicts where they lead.
@@ -238,10 +229,6 @@ pub(super) fn contact_event<S: Scalar>(
 
 /// The order of places: from left to right, then from bottom to top.
 pub(super) fn by_place<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Ordering {
-    let order = |a: Vec2<S>, b: Vec2<S>| a.x.partial_cmp(&b.x).map(|x| x.then(compare(a.y, b.y)));
-    order(a.plan(), b.plan()).unwrap_or(Ordering::Equal).then(compare(a.z, b.z))
-}
-
-fn compare<S: Scalar>(a: S, b: S) -> Ordering {
-    a.partial_cmp(&b).unwrap_or(Ordering::Equal)
+    let key = |v: Vec3<S>| (v.x, v.y, v.z);
+    key(a).partial_cmp(&key(b)).unwrap_or(Ordering::Equal)
 }

@@ -1,10 +1,10 @@
 //! A ball meets a cushion.
 
-use super::contact::{Present, threshold};
+use super::contact::threshold;
 use super::ending::Cause;
 use super::hop::{hop_away, stop};
 use super::{Ball, Spheres};
-use crate::flight::{Motion, SphereFlight};
+use crate::flight::Motion;
 use crate::geometry::Vec3;
 use crate::law::ball_cushion::CushionHit;
 use crate::law::collapse::restitution_keeping;
@@ -27,7 +27,7 @@ impl<S: Scalar> Spheres<S> {
         let normal = hit.contact_normal();
         let closing_speed = hit.closing_speed();
         let kept_speed = self.kept_speed(ball, None, time);
-        let after = if closing_speed > threshold(&[present]) {
+        let mut after = if closing_speed > threshold(&[present]) {
             let law = &self.system.cushion_laws[cushion as usize];
             let restitution = restitution_keeping(law.restitution(closing_speed), kept_speed, closing_speed);
             law.rebound(&hit, restitution)
@@ -36,18 +36,19 @@ impl<S: Scalar> Spheres<S> {
         };
         let new_flight =
             |after| self.flight_after(ball, time, present.position, &hit.twist, after, Cause::Cushion);
-        let after = match self.lacking_speed(&present, &new_flight(after), hit.closing_normal()) {
-            Some(lacking) => hop_away(&hit.sphere, after, hit.closing_normal(), lacking),
-            None => after,
-        };
-        let mut after = after;
+        let (away, level) = (new_flight(after), hit.closing_normal());
+        let (pull, parting_speed) =
+            (-away.acceleration().dot(level), away.velocity_after(S::ZERO).dot(level));
+        if let Some(lacking) = self.lacking_speed(&[present], pull, parting_speed) {
+            after = hop_away(&hit.sphere, after, level, lacking);
+        }
         if self.is_jammed(&present, time) {
             stop(&mut after);
         }
         let flight = new_flight(after);
         let impulse = (after.velocity - hit.twist.velocity).dot(normal) * hit.sphere.mass;
         self.note_contact(ball, time);
-        self.account_for_contact(ball, &hit.twist, &flight);
+        self.account_for_contact(&[hit.twist], &[(ball, flight)]);
         self.begin_flights(&[(ball, flight)], observer);
         let event = Event {
             time,
@@ -62,16 +63,6 @@ impl<S: Scalar> Spheres<S> {
             cluster: None,
         };
         self.emit(&event, observer);
-    }
-
-    /// What a ball that is pulled onto a cushion lacks of the speed of a hop that lasts t_c, and any of more than round-off.
-    fn lacking_speed(&self, ball: &Present<S>, flight: &SphereFlight<S>, normal: Vec3<S>) -> Option<S> {
-        let pull = -flight.acceleration().dot(normal);
-        let hop_speed = pull * self.system.hop_times[ball.ball] * S::from_f64(0.5);
-        let round_off = threshold(&[*ball]) * S::from_f64(4.0);
-        let least = if hop_speed > round_off { hop_speed } else { round_off };
-        let lacking = least - flight.velocity_after(S::ZERO).dot(normal);
-        (lacking > S::ZERO).then_some(lacking)
     }
 
     /// A ball at the nose of a cushion.

@@ -2,7 +2,7 @@
 
 use super::{Ball, Spheres};
 use crate::flight::{Motion, SphereFlight, SphereState};
-use crate::geometry::{Vec2, Vec3};
+use crate::geometry::{Vec2, Vec3, Vector};
 use crate::law::cloth::bounce;
 use crate::model::{Sphere, Twist};
 use crate::run::{Event, Kind, Observer, OnCloth, SphereTrack};
@@ -104,7 +104,7 @@ impl<S: Scalar> Spheres<S> {
             return;
         }
         let next = self.next_on_cloth(ball, &end);
-        self.begin_flight(ball, next, observer);
+        self.begin_flights(&[(ball, next)], observer);
         let event = self.event_at(ball, time, kind_of(flight.motion, next.motion), end.position);
         self.emit(&event, observer);
     }
@@ -125,8 +125,8 @@ impl<S: Scalar> Spheres<S> {
         }
         let scale = size(&sphere, &end.twist);
         let flight = cloth.begin(&sphere, time, end.position, twist, scale);
-        self.account_for_contact(ball, &end.twist, &flight);
-        self.begin_flight(ball, flight, observer);
+        self.account_for_contact(&[end.twist], &[(ball, flight)]);
+        self.begin_flights(&[(ball, flight)], observer);
         let event = Event {
             closing_speed: -end.twist.velocity.z,
             impulse,
@@ -154,8 +154,7 @@ impl<S: Scalar> Spheres<S> {
 
 /// The size of the speeds of a ball, which round-off of its motion is proportional to.
 pub(super) fn size<S: Scalar>(sphere: &Sphere<S>, twist: &Twist<S>) -> S {
-    let sum = |v: Vec3<S>| v.x.abs() + v.y.abs() + v.z.abs();
-    sum(twist.velocity) + sum(twist.spin) * sphere.radius
+    twist.velocity.size() + twist.spin.size() * sphere.radius
 }
 
 /// What the end of one motion is called that goes over into another.

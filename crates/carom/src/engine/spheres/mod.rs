@@ -231,20 +231,6 @@ impl<S: Scalar> Spheres<S> {
         }
     }
 
-    /// Starts a ball's new flight, and predicts where it leads.
-    fn begin_flight(
-        &mut self,
-        ball: usize,
-        flight: SphereFlight<S>,
-        observer: &mut impl Observer<S, OnCloth>,
-    ) {
-        self.account_for_friction(ball, flight.start());
-        self.balls[ball].flight = flight;
-        self.balls[ball].track.changes += 1;
-        self.predict(ball);
-        observer.flight(ball, &flight);
-    }
-
     fn emit(&mut self, event: &Event<S>, observer: &mut impl Observer<S, OnCloth>) {
         self.diagnostics.count(event.kind);
         observer.event(event);

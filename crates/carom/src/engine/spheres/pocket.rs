@@ -64,6 +64,6 @@ impl<S: Scalar> Spheres<S> {
         let Ball { sphere, .. } = self.balls[ball];
         let energy = sphere.kinetic_energy(&state.twist) + self.system.height_energy(&sphere, state.position);
         self.diagnostics.account(-energy.to_f64(), energy.to_f64());
-        self.begin_flight(ball, flight, observer);
+        self.begin_flights(&[(ball, flight)], observer);
     }
 }
