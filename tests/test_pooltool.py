@@ -117,16 +117,17 @@ def test_a_parameter_of_one_ball_is_its_own() -> None:
 
 
 PARAMS = {"cue": {"e_b": 0.95, "u_b": 0.05, "e_c": 0.85, "f_c": 0.2, "g": 9.81}}
+CLING = 2 * 0.95 / 1.95
 FIT = {"a": 0.009951, "b": 0.108, "c": 1.088}
 
 
 @pytest.mark.parametrize(
     ("law", "values"),
     [
-        ({"model": "frictional_inelastic"}, {"law": "frictional", "normal": 0.95, "friction": FIT}),
+        ({"model": "frictional_inelastic"}, {"law": "frictional", "normal": 0.95, "friction": FIT, "cling": CLING}),
         (
             {"model": "frictional_inelastic", "friction": {"model": "average"}},
-            {"law": "frictional", "normal": 0.95, "friction": 0.05},
+            {"law": "frictional", "normal": 0.95, "friction": 0.05, "cling": CLING},
         ),
         ({"model": "frictional_mathavan"}, {"law": "mathavan_2014", "normal": 0.95, "friction": FIT}),
         ({"model": "frictionless_elastic"}, {"law": "elastic"}),

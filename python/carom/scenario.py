@@ -86,7 +86,14 @@ class Scenario:
         duration: float | None = None,
         **more: Any,
     ) -> None:
-        keys = {"table": table, "balls": balls, "physics": physics, "rack": rack, "shot": shot, "cue": cue}
+        keys: dict[str, Any] = {
+            "table": table,
+            "balls": balls,
+            "physics": physics,
+            "rack": rack,
+            "shot": shot,
+            "cue": cue,
+        }
         keys |= {"duration": duration, **more}
         given = {name: value for name, value in keys.items() if value is not None}
         check_counts(given)

@@ -72,11 +72,14 @@ def _ball_ball(resolver: Mapping[str, Any], params: Params) -> dict[str, Any]:
         raise _unknown("ball_ball.friction.model", friction["model"], ["alciatore", "average"])
     fit = {name: friction[name] for name in "abc"}
     averaged = friction["model"] == "average"
-    return {
+    normal = _common(params, "e_b")
+    values = {
         "law": BALL_BALL[model],
-        "normal": _common(params, "e_b"),
+        "normal": normal,
         "friction": _common(params, "u_b") if averaged else fit,
     }
+    # pooltool takes the friction of the speed of parting, e, where the impulse is that of (1 + e)/2.
+    return {**values, "cling": 2 * normal / (1 + normal)} if model == "frictional_inelastic" else values
 
 
 def _ball_cushion(resolver: Mapping[str, Any], params: Params) -> dict[str, Any]:
