@@ -175,6 +175,7 @@ impl Run {
         let diagnostics = with_any!(&self.run, run => &run.diagnostics);
         let mut found = serde_json::to_value(diagnostics).map_err(|error| run_error(&error.to_string()))?;
         let counts = Kind::ALL.iter().zip(diagnostics.events);
+        let counts = counts.filter(|(kind, _)| kind.happens(self.is_on_cloth()));
         found["events"] =
             counts.map(|(kind, count)| (kind.name().to_owned(), json!(count))).collect::<Value>();
         if let AnyRun::Plane(run) = &self.run

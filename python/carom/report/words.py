@@ -16,10 +16,11 @@ STATUSES = {
     "collapsed": "Ended early: contacts followed each other without end",
     "event_limit": "Ended at its limit of events",
     "interrupted": "Was interrupted",
+    "miscue": "Ended at once: the tip of the cue slipped off the ball",
 }
 """How a run ended, by its status."""
 
-EARLY = ("collapsed", "event_limit", "interrupted")
+EARLY = ("collapsed", "event_limit", "interrupted", "miscue")
 """The statuses of runs that may have ended before what they were to show."""
 
 KINDS = {
@@ -27,6 +28,17 @@ KINDS = {
     "ball_cushion": "a ball hit a cushion or an obstacle",
     "hold": "a ball whose hops on a cushion had become too small to follow was held there",
     "release": "a held ball went on its way again",
+    "cue_ball": "the cue struck a ball",
+    "miscue": "the tip of the cue slipped off the ball",
+    "slide_to_roll": "a ball that slid on the cloth began to roll",
+    "slide_to_spin": "a ball that slid stopped, and spun on in place",
+    "slide_to_rest": "a ball that slid stopped",
+    "roll_to_spin": "a ball that rolled stopped, and spun on in place",
+    "roll_to_rest": "a ball that rolled stopped",
+    "spin_to_rest": "a ball that spun in place stopped",
+    "ball_cloth": "a ball fell onto the cloth, and bounced or stayed",
+    "ball_pocket": "a ball dropped into a pocket",
+    "off_table": "a ball flew over a cushion, off the table",
 }
 """Events, by kind."""
 
@@ -37,9 +49,9 @@ DIAGNOSTICS = {
     "clusters": "contacts of several balls at one instant, resolved together",
     "cluster_passes": "passes made to resolve them",
     "forced_clusters": "clusters that came to an end only by a last pass without restitution",
-    "initial_energy": "at the start: kinetic, and potential in a field",
+    "initial_energy": "at the start: kinetic, and potential in a field or of height; after the strike of a cue",
     "final_energy": "at the end",
-    "energy_loss": "what the laws of contact took away",
+    "energy_loss": "what the laws of contact took away, and the cloth",
     "energy_error": "the largest change in one event that its law does not account for: round-off",
     "energy_gain": "the largest energy that a cluster gained; laws never give any, so round-off",
     "momentum_error": "the largest change of momentum in one ball-ball event: round-off",
