@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from carom import _engine, library
 from carom.ball import Ball
-from carom.encoding import to_json
+from carom.encoding import plain, to_json
 from carom.errors import ScenarioError
 from carom.files import write_text
 from carom.options import Record, check_counts, options_json
@@ -244,6 +244,26 @@ class Scenario:
         if (shot is None) == (not keys):
             raise TypeError("with_shot: needs a carom.Shot or its keys, such as V0=2, phi_deg=90")
         return type(self).from_dict({**self.to_dict(), "shot": keys if shot is None else shot})
+
+    def with_ball(self, ball: Ball | Mapping[str, Any]) -> Scenario:
+        """Give the scenario with a ball in place of the one with its id, or added where there is none.
+
+        Of a ball of the rack, what is given here goes before what the rack says.
+
+        Examples
+        --------
+        >>> import carom
+        >>> table = carom.Table.preset("pool_9ft")
+        >>> scenario = carom.Scenario(table, [carom.Ball("cue", position=(0.6, 0.6))])
+        >>> scenario.with_ball(carom.Ball("1", position=(0.6, 1.2))).ball_ids
+        ['cue', '1']
+        """
+        values = self.to_dict()
+        written: list[Any] = values.get("balls", [])
+        new = plain(ball)
+        places = [place for place, one in enumerate(written) if one["id"] == new.get("id")]
+        balls = [*written, new] if not places else [new if place in places else one for place, one in enumerate(written)]
+        return type(self).from_dict({**values, "balls": balls})
 
     def expanded(self) -> Scenario:
         """Give the same scenario with its preset and its rack in plain keys.
