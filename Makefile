@@ -13,7 +13,7 @@ SCENARIOS := $(wildcard scenarios/*)
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .PHONY: help build run check-engine test test-rust test-python lint lint-rust lint-python format docs licences
-.PHONY: third-party bench bench-pooltool digests wheel wheel-check floors clean
+.PHONY: third-party bench bench-pooltool campaign digests wheel wheel-check floors clean
 
 help: ## List these commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -88,6 +88,10 @@ bench: build ## Measure the engine, the package, and python-billiards beside it
 
 bench-pooltool: build $(POOLTOOL)/.built ## Play the same shots with pooltool 0.6.0, in a virtual environment of its own
 	$(BIN)/python benches/pooltool/compare.py
+
+campaign: ## Play a million random shots and hold them to what no run may break: make campaign SHOTS=... SEED=...
+	@$(need_rust)
+	$(CARGO) run --locked --release -p carom --example shots -- $(or $(SHOTS),1000000) $(or $(SEED),7)
 
 digests: ## Mint the golden digests of the scenarios anew: make digests REASON="..."
 	@$(need_rust)

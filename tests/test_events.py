@@ -10,7 +10,7 @@ def test_columns_are_those_of_an_event_in_order(run: carom.Run) -> None:
     assert run.events.names == list(COLUMNS)
     assert {name: run.events[name].dtype.kind for name in COLUMNS} == {
         **dict.fromkeys(["index", "cluster"], "i"),
-        **dict.fromkeys(["kind", "ball_a", "ball_b", "cushion"], "O"),
+        **dict.fromkeys(["kind", "ball_a", "ball_b", "cushion", "pocket"], "O"),
         **dict.fromkeys(["time", "x", "y", "normal_x", "normal_y", "closing_speed", "impulse"], "f"),
     }
 

@@ -219,6 +219,7 @@ def test_every_diagnostic_and_status_is_explained(run: carom.Run) -> None:
         "collapsed",
         "event_limit",
         "interrupted",
+        "miscue",
     }
 
 

@@ -21,6 +21,8 @@ def unit_of(units: Mapping[str, str], quantity: str) -> str:
         return f"rad/{time}"
     if quantity == "speed" and length and time:
         return f"{length}/{time}"
+    if quantity == "angular_velocity" and time:
+        return f"rad/{time}"
     if quantity == "acceleration" and length and time:
         return f"{length}/{time}²"
     if quantity == "momentum" and length and time and mass:

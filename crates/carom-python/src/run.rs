@@ -294,5 +294,5 @@ fn table<'py, T: Element + Copy, const N: usize>(
 /// The shape of vectors of balls at times: the number of components is what is left.
 fn shape<T>(states: &[Vec<T>], balls: usize, values: &[f64]) -> [usize; 3] {
     let rows = states.len() * balls;
-    [states.len(), balls, if rows > 0 { values.len() / rows } else { 2 }]
+    [states.len(), balls, values.len().checked_div(rows).unwrap_or(2)]
 }

@@ -36,7 +36,9 @@ impl Simulation {
             return Err(problem("method", "only the exact method goes event by event"));
         }
         let simulation = AnySimulation::start(&scenario, until);
-        Ok(Self { scenario, simulation, fresh: VecDeque::new() })
+        // The strike of the cue has happened already.
+        let fresh = with_any!(&simulation, inner => inner.1.events.iter().copied().collect());
+        Ok(Self { scenario, simulation, fresh })
     }
 
     fn row<'py>(&self, py: Python<'py>, index: u64, event: &Event<f64>) -> PyResult<Bound<'py, PyDict>> {

@@ -66,6 +66,6 @@ pub fn array<'py, T, C: IntoIterator<Item = f64>>(
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let balls = state.len();
     let values = vectors(&[state], of);
-    let components = if balls > 0 { values.len() / balls } else { 2 };
+    let components = values.len().checked_div(balls).unwrap_or(2);
     PyArray1::from_vec(py, values).reshape([balls, components])
 }

@@ -1,4 +1,5 @@
 //! Shots on a cloth: the nine-ball break, and a two-ball shot.
+#![allow(clippy::expect_used)]
 
 use carom::engine::{Limits, Simulation, Spheres};
 use carom::run::{Log, Nothing, OnCloth};

@@ -3,6 +3,9 @@
 //! `cargo run --release --example shots -- [COUNT] [SEED]`; `make campaign` runs a million. Shot k of a seed is the same
 //! whatever the count, and a shot that breaks something is printed as a scenario to replay it.
 
+// A program that prints what it found; its own random numbers need not have the same bits everywhere.
+#![allow(clippy::print_stdout, clippy::expect_used, clippy::disallowed_methods)]
+
 use carom::flight::{Motion, SphereState};
 use carom::model::Table;
 use carom::run::{OnCloth, Run, SimulationError};

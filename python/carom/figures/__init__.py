@@ -10,7 +10,7 @@ from carom.figures.filmstrip import filmstrip
 from carom.figures.overlay import plot_overlay
 from carom.figures.paths import plot_paths
 from carom.figures.scenario import plot_scenario
-from carom.figures.series import plot_energy, plot_momentum, plot_speed
+from carom.figures.series import plot_energy, plot_momentum, plot_speed, plot_spin
 from carom.figures.style import FORMATS, figure_of, save_figure
 
 __all__ = [
@@ -25,5 +25,6 @@ __all__ = [
     "plot_paths",
     "plot_scenario",
     "plot_speed",
+    "plot_spin",
     "save_figure",
 ]

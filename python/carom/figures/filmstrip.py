@@ -12,6 +12,8 @@ from matplotlib.patheffects import Normal, Stroke
 
 from carom.events import Event
 from carom.figures import style
+from carom.figures.balls import draw_names, draw_stripes
+from carom.figures.closeup import close_to
 from carom.figures.moments import default_event, frame_times, just_before
 from carom.figures.scene import Scene
 from carom.figures.table import (
@@ -35,6 +37,8 @@ PAGE_WIDTH = 7.2
 PAGE_HEIGHT = 8.4
 LEFT, RIGHT, GAP, BELOW, TITLE, NARROW, LEAST = 0.5, 0.1, 0.16, 0.36, 0.3, 1.8, 1.0  # inches
 LABEL_GAP, LABEL_ROOM = 6.5, 11.0  # points
+MOMENTS = {"ball_ball": "collision", "ball_cushion": "cushion", "cue_ball": "cue", "ball_cloth": "landing"}
+MOMENTS |= {"ball_pocket": "pocketed"}
 
 
 @dataclass(frozen=True)
@@ -66,6 +70,7 @@ def filmstrip(
     axes: Sequence[Axes] | None = None,
     arrows: bool = True,
     contact_axes: bool = True,
+    closeup: bool | None = None,
 ) -> list[Axes]:
     """Show the table before, at and after an event, side by side.
 
@@ -88,6 +93,9 @@ def filmstrip(
         Draw velocities. In the frame of the event, dashed ones are those just before it.
     contact_axes : bool
         Draw the normal n and the tangent t of the contact in its frame.
+    closeup : bool, optional
+        Show the balls of the event and their neighbourhood in place of the whole table. If not given: on a cloth, whose
+        balls are small.
 
     Returns
     -------
@@ -107,14 +115,17 @@ def filmstrip(
         raise TypeError(f"around: must be one event, such as run.events[0], got {around!r}")
     scene = Scene.of_run(run)
     event = default_event(run, scene) if around is None else around
-    times = frame_times(run, scene, event, frames)
-    strip = Strip(run, scene, event, times, _arrow_scale(run, scene, times) if arrows else 0.0)
+    if scene.on_cloth if closeup is None else closeup:
+        scene, times = close_to(run, scene, event, frames)
+    else:
+        times = frame_times(run, scene, event, frames)
+    strip = Strip(run, scene, event, times, _arrow_scale(run, scene, times, event) if arrows else 0.0)
     chosen = _new_axes(scene, frames) if axes is None else list(axes)
     if len(chosen) != frames:
         raise ValueError(f"needs one axes for each of {frames} frames, got {len(chosen)}")
     for frame, ax in enumerate(chosen):
         _draw_frame(ax, strip, frame)
-    if contact_axes:
+    if contact_axes and any(event.normal):
         _draw_contact_axes(chosen[strip.middle], strip)
     if axes is None and strip.arrow:
         _note_scale(chosen[-1], strip)
@@ -168,10 +179,20 @@ def _note_scale(ax: Axes, strip: Strip) -> None:
     )
 
 
-def _arrow_scale(run: Run, scene: Scene, times: NDArray[np.float64]) -> float:
-    positions, velocities = run.positions(times)[..., :2], run.velocities(times)[..., :2]
+def _arrow_scale(run: Run, scene: Scene, times: NDArray[np.float64], event: Event) -> float:
+    """Choose how long an arrow is for a velocity of one; on a cloth by the event's own balls, else by all."""
+    chosen = [scene.ids.index(ball) for ball in event.balls] if scene.on_cloth else slice(None)
+    states = zip(*(each[:, chosen, :2] for each in run.states(times)), strict=True)
+    shown = [(x[seen], v[seen]) for x, v in states for seen in [_is_shown(scene, x)]]
     spacing = float(times[-1] - times[0]) / (len(times) - 1)
-    return arrow_scale(scene, [*zip(positions, velocities, strict=True)], spacing)
+    return arrow_scale(scene, shown, spacing)
+
+
+def _is_shown(scene: Scene, positions: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Tell which balls (n_balls, 2) are in play and in the picture."""
+    low, high = np.array(scene.bounds[:2]), np.array(scene.bounds[2:])
+    shown: NDArray[np.bool_] = np.all((positions >= low) & (positions <= high), axis=-1)
+    return shown
 
 
 def _draw_frame(ax: Axes, strip: Strip, frame: int) -> None:
@@ -179,25 +200,34 @@ def _draw_frame(ax: Axes, strip: Strip, frame: int) -> None:
     draw_table(ax, strip.scene)
     _draw_ghost_paths(ax, strip, time)
     positions = strip.run.positions([time])[0, :, :2]
+    moving = _moving(strip, frame, positions)
     draw_balls(ax, strip.scene, positions)
-    if frame == strip.middle:
+    if strip.scene.on_cloth:
+        draw_stripes(ax, strip.scene, positions, zorder=3.05)
+        draw_names(ax, strip.scene, np.where(moving[:, None], np.nan, positions), zorder=3.1)
+    if frame == strip.middle and strip.event.kind != "cue_ball":
         _draw_velocities_before(ax, strip, positions)
-    _draw_velocities(ax, strip, positions, time)
+    velocities = strip.run.velocities([time])[0, :, :2]
+    for ball in np.flatnonzero(moving):
+        arrow = draw_arrow(ax, positions[ball], positions[ball] + strip.arrow * velocities[ball])
+        # A close-up is scaled for the balls of its event; the arrows of others may leave the picture.
+        arrow.set_clip_on(strip.scene.on_cloth and ball not in strip.participants)
     ax.set_title(_title(ax, strip, frame), fontsize=style.TITLE_SIZE - 1, color=style.INK, pad=4)
 
 
-def _draw_velocities(ax: Axes, strip: Strip, positions: NDArray[np.float64], time: float) -> None:
-    velocities = strip.run.velocities([time])[0, :, :2]
-    for place, velocity in zip(positions, velocities, strict=True):
-        if strip.arrow and np.any(velocity != 0.0) and np.all(np.isfinite(place)):
-            draw_arrow(ax, place, place + strip.arrow * velocity)
+def _moving(strip: Strip, frame: int, positions: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Tell which balls have an arrow in a frame; before the cue strikes, none."""
+    velocities = strip.run.velocities([strip.times[frame]])[0, :, :2]
+    is_struck = strip.event.kind != "cue_ball" or frame >= strip.middle
+    moving: NDArray[np.bool_] = _is_shown(strip.scene, positions) & np.any(velocities != 0.0, axis=-1)
+    return moving & bool(strip.arrow) & is_struck
 
 
 def _draw_velocities_before(ax: Axes, strip: Strip, positions: NDArray[np.float64]) -> None:
     """Draw, pointing to the centres of the participants, with what velocity they came."""
     before = strip.run.velocities([just_before(strip.event.time)])[0, :, :2]
     for ball in strip.participants:
-        if strip.arrow and np.any(before[ball] != 0.0):
+        if strip.arrow and np.any(before[ball] != 0.0) and np.all(np.isfinite(positions[ball])):
             draw_arrow(ax, positions[ball] - strip.arrow * before[ball], positions[ball], faint=True)
 
 
@@ -292,7 +322,7 @@ def _title(ax: Axes, strip: Strip, frame: int) -> str:
         texts = list(map(next(more).format, strip.times))
     unit = strip.scene.unit("time")
     time = f"t = {texts[frame]}" + (f" {unit}" if unit else "")
-    kind = {"ball_ball": "collision", "ball_cushion": "cushion"}.get(strip.event.kind, strip.event.kind)
+    kind = MOMENTS.get(strip.event.kind, strip.event.kind.replace("_", " "))
     words = ("before", kind, "after")[int(np.sign(frame - strip.middle)) + 1]
     width = ax.get_position(original=True).width * style.figure_of(ax).get_figwidth()
     return f"{words}\n{time}" if width < NARROW else f"{time} — {words}"

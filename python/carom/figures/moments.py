@@ -142,7 +142,8 @@ def _gap(run: Run, scene: Scene, event: Event, times: NDArray[np.float64]) -> ND
     chosen = [scene.ids.index(ball) for ball in event.balls]
     other = places[:, chosen[1]] if len(chosen) > 1 else np.array([event.x, event.y])
     distance = np.linalg.norm(places[:, chosen[0]] - other, axis=-1)
-    gap: NDArray[np.float64] = np.nan_to_num(distance - scene.radii[chosen].sum(), nan=0.0)
+    # A ball out of play is as far away as can be.
+    gap: NDArray[np.float64] = np.nan_to_num(distance - scene.radii[chosen].sum(), nan=np.inf)
     return gap
 
 

@@ -12,7 +12,8 @@ from matplotlib.patches import Circle, PathPatch
 
 from carom.figures import style
 from carom.figures.compared import Compared, shortened
-from carom.figures.table import draw_table, framed_ratio, table_loops
+from carom.figures.outline import table_loops
+from carom.figures.table import draw_table, framed_ratio
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.lines import Line2D
 
 from carom.figures import style
+from carom.figures.balls import draw_balls_of_cloth
+from carom.figures.beside import new_axes_beside, note_aim, note_balls, note_samples
 from carom.figures.labels import Labeller
 from carom.figures.moments import draw_times
 from carom.figures.scene import Scene
 from carom.figures.table import draw_balls, draw_table, framed_ratio, points_per_unit
+from carom.figures.travels import WAYS, Travels, draw_sunk, draw_travels
 
 if TYPE_CHECKING:
     from typing import Any
@@ -20,6 +24,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from carom.events import Event
+    from carom.figures.beside import Beside
     from carom.run import Run
 
 MOST_NUMBERS = 30
@@ -40,6 +45,10 @@ def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None)
     Ball-ball contacts are marked by diamonds, cushion contacts by small dots, up to `MOST_MARKS` of them. Where
     events are numbered, pale rings are the two balls at each ball-ball contact.
 
+    On a cloth a line is solid where the ball rolls, dashed where it slides and dotted where it flies; a ball that fell
+    lies in its pocket. Beside the table, on a figure of its own, stand the shot, the samples of lines and marks, and
+    the balls that are out of play. Changes of motion have no numbers.
+
     Parameters
     ----------
     run : Run
@@ -54,28 +63,92 @@ def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None)
     Axes
     """
     scene = Scene.of_run(run)
-    count = len(run.events)
-    numbered = count <= MOST_NUMBERS if numbers is None else numbers
-    marked = run.events if numbered or count <= MOST_MARKS else run.events[:0]
-    events = {n: event for n, event in enumerate(marked) if np.isfinite(event.x) and np.isfinite(event.y)}
-    margin = MARGIN if numbered else MARGIN_WITHOUT_NUMBERS
+    shown = run.events.by_kind(*style.EVENT_WORDS) if scene.on_cloth else run.events
+    numbered = len(shown) <= MOST_NUMBERS if numbers is None else numbers
+    marked = shown if numbered or len(shown) <= MOST_MARKS else shown[:0]
+    events = {event.index: event for event in marked if np.isfinite(event.x) and np.isfinite(event.y)}
     found = {event.kind for event in events.values()}
-    kinds = [kind for kind in style.EVENT_WORDS if count <= MOST_MARKS and kind in found]
-    ax = _new_axes(scene, margin, _legend_marks(kinds, rings=numbered and "ball_ball" in kinds)) if ax is None else ax
-    draw_table(ax, scene, margin=margin)
-    ax.set_xlabel(scene.label("x", "length"), fontsize=style.LABEL_SIZE, labelpad=1)
-    ax.set_ylabel(scene.label("y", "length"), fontsize=style.LABEL_SIZE, labelpad=2)
-    times = draw_times(run, SAMPLES)
-    places = run.positions(times)[..., :2]
-    _draw_lines(ax, scene, places, count)
+    kinds = [kind for kind in style.EVENT_WORDS if len(shown) <= MOST_MARKS and kind in found]
+    draw = _draw_on_cloth if scene.on_cloth else _draw_on_plane
+    return draw(ax, run, scene, _Marks(events, kinds, len(shown), numbered))
+
+
+@dataclass(frozen=True)
+class _Marks:
+    """The events that are marked, by their numbers; their kinds; how many; and whether numbers are written."""
+
+    events: dict[int, Event]
+    kinds: list[str]
+    count: int
+    numbered: bool
+
+    @property
+    def margin(self) -> float:
+        return MARGIN if self.numbered else MARGIN_WITHOUT_NUMBERS
+
+    @property
+    def has_rings(self) -> bool:
+        return self.numbered and "ball_ball" in self.kinds
+
+
+def _draw_on_plane(ax: Axes | None, run: Run, scene: Scene, marks: _Marks) -> Axes:
+    """Draw the paths of discs."""
+    ax = _new_axes(scene, marks.margin, _legend_marks(marks.kinds, rings=marks.has_rings)) if ax is None else ax
+    _draw_table(ax, scene, marks)
+    places = run.positions(draw_times(run, SAMPLES))[..., :2]
+    _draw_lines(ax, scene, places, marks.count)
     draw_balls(ax, scene, places[0], filled=False, zorder=2.6)
     draw_balls(ax, scene, places[-1], zorder=3.0)
-    for kind in kinds:
-        _draw_marks(ax, scene, list(events.values()), kind)
-    if numbered:
-        _draw_contact_rings(ax, run, scene, list(events.values()))
-        _draw_numbers(ax, run, scene, events, places)
+    _draw_events(ax, run, scene, marks, places)
     return ax
+
+
+def _draw_on_cloth(ax: Axes | None, run: Run, scene: Scene, marks: _Marks) -> Axes:
+    """Draw the paths of balls on a cloth, and beside an axes of our own what there is to know."""
+    travels = Travels.of(run, scene, draw_times(run, SAMPLES))
+    if ax is None:
+        ax, beside = new_axes_beside(scene, marks.margin)
+        _fill(beside, travels, marks)
+    _draw_table(ax, scene, marks)
+    draw_travels(ax, travels, crowding=min(1.0, marks.count / 60))
+    draw_balls(ax, scene, travels.places[0], filled=False, zorder=2.6)
+    draw_sunk(ax, travels)
+    draw_balls_of_cloth(ax, scene, run.positions([run.end_time])[0, :, :2])
+    _draw_events(ax, run, scene, marks, travels.places)
+    return ax
+
+
+def _fill(beside: Beside, travels: Travels, marks: _Marks) -> None:
+    """Write beside the table how the cue struck, what lines and marks mean, and which balls are out of play."""
+    scene = travels.scene
+    note_aim(beside, scene)
+    ways = [
+        Line2D([], [], color=style.INK, linewidth=1.3, linestyle=WAYS[code][1], label=WAYS[code][0])
+        for code in travels.ways
+    ]
+    kinds = [kind for kind in marks.kinds if kind != "ball_pocket"]
+    note_samples(beside, [*ways, *_legend_marks(kinds, rings=marks.has_rings)])
+    unit = scene.unit("time")
+    for kind, heading in (("ball_pocket", "pocketed"), ("off_table", "off the table")):
+        fallen = [(event, ball) for event, ball in zip(travels.out, travels.fallen, strict=True) if event.kind == kind]
+        words = [f"{style.legend_name(str(event.ball_a))} at {event.time:.3g} {unit}".rstrip() for event, _ in fallen]
+        note_balls(beside, scene, heading, [ball for _, ball in fallen], words)
+
+
+def _draw_table(ax: Axes, scene: Scene, marks: _Marks) -> None:
+    draw_table(ax, scene, margin=marks.margin)
+    ax.set_xlabel(scene.label("x", "length"), fontsize=style.LABEL_SIZE, labelpad=1)
+    ax.set_ylabel(scene.label("y", "length"), fontsize=style.LABEL_SIZE, labelpad=2)
+
+
+def _draw_events(ax: Axes, run: Run, scene: Scene, marks: _Marks, places: NDArray[np.float64]) -> None:
+    events = list(marks.events.values())
+    for kind in marks.kinds:
+        if kind != "ball_pocket":
+            _draw_marks(ax, scene, events, kind)
+    if marks.numbered:
+        _draw_contact_rings(ax, run, scene, events)
+        _draw_numbers(ax, run, scene, marks.events, places)
 
 
 def _new_axes(scene: Scene, margin: float, marks: list[Line2D]) -> Axes:
@@ -110,9 +183,15 @@ def _mark(kind: str, most: float = np.inf) -> dict[str, Any]:
     """Give the look of a kind of event's mark, of at most so many points across."""
     colour = style.EVENT_COLOURS[kind]
     shared: dict[str, Any] = {"marker": style.EVENT_MARKERS[kind]}
-    if kind == "ball_cushion":
+    if kind in ("ball_cushion", "ball_cloth"):
         return shared | {"markersize": 3.0, "mfc": "white", "mec": colour, "mew": 0.8}
-    return shared | {"markersize": min(4.4, most), "mfc": colour, "mec": "white", "mew": 0.6}
+    most = np.inf if kind == "off_table" else most
+    return shared | {
+        "markersize": min(6.5 if kind == "off_table" else 4.4, most),
+        "mfc": colour,
+        "mec": "white",
+        "mew": 0.6,
+    }
 
 
 def _draw_lines(ax: Axes, scene: Scene, places: NDArray[np.float64], n_events: int) -> None:
@@ -152,6 +231,7 @@ def _draw_numbers(ax: Axes, run: Run, scene: Scene, events: dict[int, Event], pl
     """Put numbers at the events: at cushions outside the table, between balls where there is room."""
     scale = points_per_unit(ax)
     curves = places.reshape(-1, 2)[:: max(1, places.size // 8000)]
+    curves = curves[np.isfinite(curves[:, 0])]
     labeller = Labeller(lines=np.concatenate([curves, _ring_points(run, scene, [*events.values()])]) * scale)
     labeller.avoid([np.array(event.position) * scale for event in events.values()], 2.5)
     for radius, place in zip(scene.radii, places[-1], strict=True):
@@ -163,7 +243,7 @@ def _draw_numbers(ax: Axes, run: Run, scene: Scene, events: dict[int, Event], pl
         anchor = np.array(event.position) * scale
         size = NUMBER_SIZE * (1.0 if number < 10 else 1.35)
         centre = labeller.place(anchor, size, 9.0 if at_cushion else 4.0 + size / 2, away) / scale
-        colour = style.INK if at_cushion else style.EVENT_COLOURS["ball_ball"]
+        colour = style.INK if at_cushion else style.EVENT_COLOURS.get(event.kind, style.EVENT_COLOURS["ball_ball"])
         ax.text(
             float(centre[0]),
             float(centre[1]),

@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.collections import EllipseCollection
-from matplotlib.colors import to_rgb
 
 from carom.figures import style
+from carom.figures.balls import draw_names, draw_stripes
+from carom.figures.beside import draw_stick, new_axes_beside, note_aim
 from carom.figures.scene import Scene
-from carom.figures.table import arrow_scale, draw_arrow, draw_table, framed_ratio, points_per_unit, shown_radii
+from carom.figures.table import MARGIN, arrow_scale, draw_arrow, draw_table, framed_ratio, points_per_unit, shown_radii
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -19,15 +20,14 @@ if TYPE_CHECKING:
     from carom.scenario import Scenario
 
 MOST_ARROWS = 100
-SMALLEST_NAME = 5.0
-LETTER = 0.62  # width of a letter over its size
 
 
 def plot_scenario(scenario: Scenario, ax: Axes | None = None) -> Axes:
     """Draw a scenario at time 0.
 
-    A ball's id stands in its disc where there is room. Arrows show the velocities, all at one scale, where at most
-    `MOST_ARROWS` balls move; more would hide the table.
+    A ball's id stands in its disc where there is room. A cue that will strike is drawn behind its ball; beside the
+    table, on a figure of its own, are the point that it touches and its numbers. Arrows show the velocities, all at
+    one scale, where at most `MOST_ARROWS` balls move; more would hide the table.
 
     Parameters
     ----------
@@ -41,16 +41,22 @@ def plot_scenario(scenario: Scenario, ax: Axes | None = None) -> Axes:
     Axes
     """
     scene = Scene.of(scenario)
+    if ax is None and scene.aim is not None:
+        ax, beside = new_axes_beside(scene, MARGIN)
+        note_aim(beside, scene)
     ax = _new_axes(scene) if ax is None else ax
     draw_table(ax, scene)
     ax.set_xlabel(scene.label("x", "length"), fontsize=style.LABEL_SIZE, labelpad=1)
     ax.set_ylabel(scene.label("y", "length"), fontsize=style.LABEL_SIZE, labelpad=2)
     balls = scenario.balls
-    places = np.array([ball.position for ball in balls], dtype=float)
-    velocities = np.array([ball.velocity for ball in balls], dtype=float)
+    places = np.array([ball.position for ball in balls], dtype=float)[:, :2]
+    velocities = np.array([ball.velocity for ball in balls], dtype=float)[:, :2]
     _draw_discs(ax, scene, places)
-    _draw_names(ax, scene, places)
+    draw_stripes(ax, scene, places, zorder=3.2)
+    draw_names(ax, scene, places, zorder=3.5)
     _draw_velocities(ax, scene, places, velocities)
+    if scene.aim is not None:
+        draw_stick(ax, scene, places[scene.ids.index(scene.aim.ball)])
     return ax
 
 
@@ -75,36 +81,12 @@ def _draw_discs(ax: Axes, scene: Scene, places: NDArray[np.float64]) -> None:
         units="xy",
         offsets=places,
         offset_transform=ax.transData,
-        facecolors=scene.colours,
+        facecolors=scene.faces,
         edgecolors=style.BALL_EDGE,
         linewidths=edge,
         zorder=3.0,
     )
     ax.add_collection(discs, autolim=False)
-
-
-def _draw_names(ax: Axes, scene: Scene, places: NDArray[np.float64]) -> None:
-    """Write the ids into the discs that have room for them."""
-    diameters = 2.0 * scene.radii * points_per_unit(ax)
-    for name, place, diameter, colour in zip(scene.ids, places, diameters, scene.colours, strict=True):
-        size = min(style.LABEL_SIZE, 0.6 * diameter, 0.85 * diameter / (LETTER * max(len(name), 1)))
-        if size >= SMALLEST_NAME and name.isprintable():
-            ax.text(
-                float(place[0]),
-                float(place[1]),
-                name,
-                fontsize=size,
-                color="white" if _is_dark(colour) else style.INK,
-                ha="center",
-                va="center_baseline",
-                zorder=3.5,
-                parse_math=False,
-            )
-
-
-def _is_dark(colour: str) -> bool:
-    red, green, blue = to_rgb(colour)
-    return 0.299 * red + 0.587 * green + 0.114 * blue < 0.6
 
 
 def _draw_velocities(ax: Axes, scene: Scene, places: NDArray[np.float64], velocities: NDArray[np.float64]) -> None:

@@ -9,6 +9,8 @@ import numpy as np
 from matplotlib.colors import to_hex
 
 from carom.colours import ball_colours
+from carom.figures.cloth import Aim, is_on_cloth, plain_values
+from carom.figures.rails import Rails
 from carom.units import unit_of
 
 if TYPE_CHECKING:
@@ -19,6 +21,11 @@ if TYPE_CHECKING:
 
     from carom.run import Run
     from carom.scenario import Scenario
+
+
+STRIPED = {str(number) for number in range(9, 16)}
+"""Pool balls with these numbers are white with a stripe."""
+BARE = "#fbfaf4"
 
 
 @dataclass(frozen=True)
@@ -32,13 +39,19 @@ class Scene:
     radii, masses : (n_balls,) float64
         One for each ball.
     bounds : tuple of float
-        ``(x_min, y_min, x_max, y_max)`` of the table.
+        ``(x_min, y_min, x_max, y_max)`` of the table, with its rails where it has some.
     pieces : tuple of mappings
         The pieces of the outline, boundary first, in order.
     field : (2,) float64
         The constant acceleration of all balls.
     units : mapping
         Names of units by quantity (``length``, ``time``, ...); may be empty.
+    on_cloth : bool
+        Whether the balls roll and spin on a cloth.
+    rails : Rails or None
+        What surrounds the cloth of a table for cue sports.
+    aim : Aim or None
+        The stroke of the cue.
     """
 
     ids: tuple[str, ...]
@@ -49,6 +62,9 @@ class Scene:
     pieces: tuple[Mapping[str, Any], ...]
     field: NDArray[np.float64]
     units: Mapping[str, str]
+    on_cloth: bool = False
+    rails: Rails | None = None
+    aim: Aim | None = None
 
     @classmethod
     def of_run(cls, run: Run) -> Scene:
@@ -64,18 +80,32 @@ class Scene:
         balls = scenario.balls
         ids = tuple(ball.id for ball in balls)
         colours = ball_colours(ids, [ball.color for ball in balls])
-        flight = scenario.to_dict().get("physics", {}).get("flight", {})
-        x_min, y_min, x_max, y_max = outline["bounds"]
+        values = plain_values(scenario)
+        rails = Rails.of(values, outline, scenario.to_dict()) if is_on_cloth(scenario) else None
+        x_min, y_min, x_max, y_max = outline["bounds"] if rails is None else rails.outer
+        radii = [ball.radius or 0.0 for ball in balls]
         return cls(
             ids=ids,
             colours=tuple(map(to_hex, colours)),
-            radii=np.array([ball.radius or 0.0 for ball in balls], dtype=float),
+            radii=np.array(radii, dtype=float),
             masses=np.array([ball.mass or 1.0 for ball in balls], dtype=float),
             bounds=(x_min, y_min, x_max, y_max),
             pieces=tuple(outline["pieces"]),
-            field=np.array(flight.get("acceleration", (0.0, 0.0)), dtype=float),
-            units=scenario.units,
+            field=np.array(values.get("physics", {}).get("flight", {}).get("acceleration", (0.0, 0.0)), dtype=float),
+            units=values.get("units", {}),
+            on_cloth=is_on_cloth(scenario),
+            rails=rails,
+            aim=Aim.of(values, dict(zip(ids, radii, strict=True))),
         )
+
+    def is_striped(self, ball: int) -> bool:
+        """Tell whether a ball is a striped pool ball."""
+        return self.on_cloth and self.ids[ball] in STRIPED
+
+    @property
+    def faces(self) -> list[str]:
+        """The colours of the discs: under a stripe they are white."""
+        return [BARE if self.is_striped(ball) else colour for ball, colour in enumerate(self.colours)]
 
     @property
     def width(self) -> float:

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.transforms import blended_transform_factory
 
 from carom.figures import style
+from carom.figures.cloth import spins_and_motions
 from carom.figures.moments import draw_times
 from carom.figures.scene import Scene
 
@@ -23,14 +24,17 @@ MOST_TICKS = 2000
 MOST_NAMED = 8
 LEGEND_COLUMNS = 6
 TOTAL = "#b4bec5"
+TICKS = {"ball_cushion": 0.03, "ball_ball": 0.05, "ball_cloth": 0.03, "ball_pocket": 0.06, "off_table": 0.06}
+"""How high the ticks of the events are, over the height of the axes."""
 PLAIN = (-3, 4)  # powers of ten between which numbers at an axis are written in full
 
 
 def plot_energy(run: Run, ax: Axes | None = None) -> Axes:
-    """Draw the total energy and every ball's kinetic energy against time.
+    """Draw the total energy and every ball's kinetic energy against time; on a cloth that of its spin, too.
 
-    In a field the kinetic and the potential energy of all balls are drawn too, and the total is their sum; the
-    potential energy is zero at the lowest corner of the table's bounds.
+    In a field, and where a ball flies over the cloth, the kinetic and the potential energy of all balls are drawn too,
+    and the total is their sum; the potential energy is zero at the lowest corner of the table's bounds, or on the
+    cloth.
 
     Parameters
     ----------
@@ -44,13 +48,14 @@ def plot_energy(run: Run, ax: Axes | None = None) -> Axes:
     Axes
     """
     scene = Scene.of_run(run)
-    in_field = bool(np.any(scene.field != 0.0))
-    ax = _new_axes(scene, more=2 if in_field else 0) if ax is None else ax
     times = draw_times(run, SAMPLES)
-    _draw_balls(ax, scene, times, 0.5 * scene.masses * np.sum(np.square(run.velocities(times)), axis=-1))
-    total = run.energy(times)
-    if in_field:
-        potential = run.potential_energy(times) - _lowest_potential(scene)
+    total, potential = run.energy(times), run.potential_energy(times)
+    if not scene.on_cloth:
+        potential = potential - _lowest_potential(scene)
+    has_potential = bool(np.any(potential > 0.0)) if scene.on_cloth else bool(np.any(scene.field != 0.0))
+    ax = _new_axes(scene, more=2 if has_potential else 0) if ax is None else ax
+    _draw_balls(ax, scene, times, _kinetic_energies(run, scene, times))
+    if has_potential:
         for values, name, dashes in ((total, "kinetic", "--"), (potential, "potential", ":")):
             ax.plot(times, values, color=style.INK, linewidth=1.2, linestyle=dashes, label=name, zorder=3)
         total = total + potential
@@ -78,6 +83,41 @@ def plot_speed(run: Run, ax: Axes | None = None) -> Axes:
     times = draw_times(run, SAMPLES)
     _draw_balls(ax, scene, times, np.linalg.norm(run.velocities(times), axis=-1))
     return _finish(ax, run, scene, "speed", "speed", from_zero=True)
+
+
+def plot_spin(run: Run, ax: Axes | None = None) -> Axes:
+    """Draw how fast every ball on a cloth turns, against time; dashed, its side spin.
+
+    Side spin is that about the vertical, above zero where the ball turns counter-clockwise as seen from above.
+
+    Parameters
+    ----------
+    run : Run
+        The run to show, of balls on a cloth.
+    ax : Axes, optional
+        Where to draw; a new figure is made if not given.
+
+    Returns
+    -------
+    Axes
+
+    Raises
+    ------
+    RunError
+        If the balls of the run are discs, which have no spin.
+    """
+    scene = Scene.of_run(run)
+    times = draw_times(run, SAMPLES)
+    spins, _ = spins_and_motions(run, times)
+    ax = _new_axes(scene, more=2) if ax is None else ax
+    _draw_balls(ax, scene, times, np.linalg.norm(spins, axis=-1))
+    for side, colour in zip(spins[..., 2].T, _colours(scene), strict=True):
+        if np.any(np.abs(side[np.isfinite(side)]) > 0.0):
+            ax.plot(times, side, color=colour, linewidth=0.9, linestyle=(0, (3, 1.5)), zorder=2.1)
+    ax.plot([], [], color=style.INK, linewidth=1.2, label="spin")
+    ax.plot([], [], color=style.INK, linewidth=0.9, linestyle=(0, (3, 1.5)), label="side spin")
+    ax.axhline(0.0, color=style.FAINT_INK, linewidth=0.7, zorder=1)
+    return _finish(ax, run, scene, "spin", "angular_velocity", from_zero=False)
 
 
 def plot_momentum(run: Run, ax: Axes | None = None) -> Axes:
@@ -110,6 +150,20 @@ def _new_axes(scene: Scene, more: int = 0) -> Axes:
     return style.new_axes(*SIZE, legend_rows=-(-entries // LEGEND_COLUMNS))
 
 
+def _kinetic_energies(run: Run, scene: Scene, times: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Give the kinetic energy of every ball, (n_times, n_balls) float64."""
+    energies: NDArray[np.float64] = 0.5 * scene.masses * np.sum(np.square(run.velocities(times)), axis=-1)
+    if scene.on_cloth:
+        spins, _ = spins_and_motions(run, times)
+        energies = energies + 0.2 * scene.masses * scene.radii**2 * np.sum(np.square(spins), axis=-1)
+    return energies
+
+
+def _colours(scene: Scene) -> list[tuple[float, float, float]]:
+    """Give the colours of the balls' curves."""
+    return [style.line_colour(colour) for colour in scene.colours]
+
+
 def _lowest_potential(scene: Scene) -> float:
     """Give the potential energy of all balls together at the lowest corner of the table's bounds."""
     corners = np.array([(x, y) for x in scene.bounds[::2] for y in scene.bounds[1::2]])
@@ -120,7 +174,7 @@ def _draw_balls(ax: Axes, scene: Scene, times: NDArray[np.float64], values: NDAr
     """Draw one curve for each ball; in the legend they are named if they are few."""
     many = len(scene.ids) > MOST_NAMED
     names = ["each ball", *[""] * (len(scene.ids) - 1)] if many else list(map(style.legend_name, scene.ids))
-    for ball, (name, colour) in enumerate(zip(names, map(style.line_colour, scene.colours), strict=True)):
+    for ball, (name, colour) in enumerate(zip(names, _colours(scene), strict=True)):
         ax.plot(times, values[:, ball], color=colour, linewidth=0.9 if many else 1.3, label=name or None, zorder=2)
 
 
@@ -156,7 +210,7 @@ def _draw_event_ticks(ax: Axes, run: Run) -> None:
     where = blended_transform_factory(ax.transData, ax.transAxes)
     kinds = np.asarray(run.events["kind"])
     all_times = np.asarray(run.events["time"], dtype=float)
-    for kind, height in (("ball_cushion", 0.03), ("ball_ball", 0.05)):
+    for kind, height in TICKS.items():
         times = all_times[kinds == kind]
         if 0 < len(times) <= MOST_TICKS:
             ax.vlines(
@@ -165,7 +219,7 @@ def _draw_event_ticks(ax: Axes, run: Run) -> None:
                 height,
                 transform=where,
                 color=style.EVENT_COLOURS[kind],
-                linewidth=1.6 if kind == "ball_ball" else 0.9,
+                linewidth=0.9 if kind in ("ball_cushion", "ball_cloth") else 1.6,
                 label=style.EVENT_WORDS[kind],
                 zorder=2.5,
             )

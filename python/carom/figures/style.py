@@ -26,14 +26,32 @@ if TYPE_CHECKING:
 CLOTH = "#edf3ee"
 CUSHION = "#8a9a91"
 NOSE = "#3f4d46"
+RUBBER = "#bccdc2"
+WOOD = "#d9cbb8"
+WOOD_EDGE = "#93826b"
+SIGHT = "#fbfaf4"
+POCKET = "#363c40"
+MARK = "#9fb0a5"
 INK = "#22292f"
 FAINT_INK = "#7a858c"
 GRID = "#e3e7ea"
 BALL_EDGE = "#1d2327"
 
-EVENT_COLOURS = {"ball_ball": "#b3261e", "ball_cushion": "#5b6b78"}
-EVENT_MARKERS = {"ball_ball": "D", "ball_cushion": "o"}
-EVENT_WORDS = {"ball_ball": "ball-ball", "ball_cushion": "cushion"}
+EVENT_COLOURS = {
+    "ball_ball": "#b3261e",
+    "ball_cushion": "#5b6b78",
+    "ball_cloth": "#2b6cb0",
+    "ball_pocket": "#22292f",
+    "off_table": "#22292f",
+}
+EVENT_MARKERS = {"ball_ball": "D", "ball_cushion": "o", "ball_cloth": "v", "ball_pocket": "s", "off_table": "X"}
+EVENT_WORDS = {
+    "ball_ball": "ball-ball",
+    "ball_cushion": "cushion",
+    "ball_cloth": "landing",
+    "ball_pocket": "pocket",
+    "off_table": "off the table",
+}
 
 TITLE_SIZE = 10.0
 LABEL_SIZE = 9.0
@@ -143,9 +161,9 @@ def legend_above(ax: Axes, columns: int) -> None:
     )
 
 
-def line_colour(colour: str) -> tuple[float, float, float]:
+def line_colour(colour: str, brightest: float = 0.72) -> tuple[float, float, float]:
     """Give the colour of a ball's lines: its own, darkened where it would not show on white."""
     red, green, blue = to_rgb(colour)
     brightness = 0.299 * red + 0.587 * green + 0.114 * blue
-    factor = min(1.0, 0.72 / brightness) if brightness > 0 else 1.0
+    factor = min(1.0, brightest / brightness) if brightness > 0 else 1.0
     return red * factor, green * factor, blue * factor

@@ -6,14 +6,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.patches import Circle, FancyArrowPatch, PathPatch, Rectangle
-from matplotlib.path import Path
 from matplotlib.patheffects import Normal, Stroke
 from matplotlib.ticker import MaxNLocator
 
 from carom.figures import style
+from carom.figures.outline import is_closed, table_loops
+from carom.figures.rails import draw_rails
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Sequence
     from typing import Any
 
     from matplotlib.axes import Axes
@@ -22,11 +23,13 @@ if TYPE_CHECKING:
     from carom.figures.scene import Scene
 
 MARGIN = 0.03
+FRAMED = 0.008
+"""The margin around a frame."""
 CUSHION_POINTS = 8.0
 
 
 def draw_table(ax: Axes, scene: Scene, *, margin: float = MARGIN) -> None:
-    """Draw cloth, cushions and obstacles in true proportion.
+    """Draw cloth, cushions and obstacles in true proportion; of a table for cue sports also pockets and frame.
 
     Parameters
     ----------
@@ -39,7 +42,10 @@ def draw_table(ax: Axes, scene: Scene, *, margin: float = MARGIN) -> None:
     """
     loops = table_loops(scene)
     cloth = [path for part, path in loops if part == "boundary" and is_closed(path)]
-    if not cloth:
+    if scene.rails is not None:
+        draw_rails(ax, scene.rails, cloth[0], scene.pieces)
+        loops = [(part, path) for part, path in loops if part == "obstacle"]
+    elif not cloth:
         x, y = scene.bounds[:2]
         ax.add_patch(Rectangle((x, y), scene.width, scene.height, facecolor=style.CLOTH, zorder=0.2))
     for part, path in loops:
@@ -59,7 +65,12 @@ def draw_table(ax: Axes, scene: Scene, *, margin: float = MARGIN) -> None:
         ax.add_patch(
             PathPatch(path, fill=is_closed(path), facecolor=face, edgecolor=style.NOSE, linewidth=0.8, zorder=0.5)
         )
-    _frame_table(ax, scene, margin * scene.size)
+    _frame_table(ax, scene, room_around(scene, margin))
+
+
+def room_around(scene: Scene, margin: float) -> float:
+    """Give the room around a table, in length: less where a frame gives some already."""
+    return (FRAMED if scene.rails is not None else margin) * scene.size
 
 
 def _short_number(value: float, _: float) -> str:
@@ -69,7 +80,7 @@ def _short_number(value: float, _: float) -> str:
 
 def framed_ratio(scene: Scene, margin: float = MARGIN) -> float:
     """Give height over width of a table with the room around it."""
-    room = 2.0 * margin * scene.size
+    room = 2.0 * room_around(scene, margin)
     return (scene.height + room) / (scene.width + room)
 
 
@@ -120,7 +131,9 @@ def draw_balls(
         The discs, in order of the balls.
     """
     discs = []
-    for place, radius, colour in zip(positions, shown_radii(scene), scene.colours, strict=True):
+    for place, radius, colour in zip(
+        positions, shown_radii(scene), scene.faces if filled else scene.colours, strict=True
+    ):
         if not np.all(np.isfinite(place)):
             continue
         disc = Circle(
@@ -217,58 +230,15 @@ def table_contains(scene: Scene) -> Any:
 
     def inside(points: NDArray[np.float64]) -> bool:
         points = points[np.all(np.isfinite(points), axis=1)]
+        if scene.rails is not None and not _within(scene, points):
+            return False
         held = [path.contains_points(points) == (part == "boundary") for part, path in loops if is_closed(path)]
         return bool(np.all(held))
 
     return inside
 
 
-def table_loops(scene: Scene) -> list[tuple[str, Path]]:
-    """Join the pieces of an outline into paths, one for the boundary and one for each obstacle."""
-    loops: list[tuple[str, list[Path]]] = []
-    end = None
-    for piece in scene.pieces:
-        path = piece_path(piece)
-        joined = end is not None and np.allclose(_places(path)[0], end, rtol=0, atol=1e-9 * scene.size)
-        if joined and loops[-1][0] == piece["part"]:
-            loops[-1][1].append(path)
-        else:
-            loops.append((piece["part"], [path]))
-        end = _places(path)[-1]
-    return [(part, join_paths(paths)) for part, paths in loops]
-
-
-def piece_path(piece: Mapping[str, Any]) -> Path:
-    """Draw one piece of an outline as a path in its own direction."""
-    if piece["kind"] == "line":
-        return Path([piece["start"], piece["end"]])
-    start, end = piece["from_deg"], piece["to_deg"]
-    unit = Path.arc(min(start, end), max(start, end))
-    places = _places(unit) * piece["radius"] + np.asarray(piece["center"], dtype=float)
-    return Path(places if start <= end else places[::-1], unit.codes)
-
-
-def join_paths(paths: Sequence[Path]) -> Path:
-    """Put paths that follow one another into one, closed where the last end meets the first start."""
-    vertices = [_places(paths[0])[:1]]
-    codes = [np.array([Path.MOVETO], dtype=Path.code_type)]
-    for path in paths:
-        drawn = _places(path)[1:]
-        vertices.append(drawn)
-        lines = np.full(len(drawn), Path.LINETO, dtype=Path.code_type)
-        codes.append(lines if path.codes is None else np.asarray(path.codes)[1:])
-    places = np.concatenate(vertices)
-    span = float(np.ptp(places, axis=0).max())
-    if np.allclose(places[0], places[-1], rtol=0, atol=1e-9 * span):
-        vertices.append(places[:1])
-        codes.append(np.array([Path.CLOSEPOLY], dtype=Path.code_type))
-    return Path(np.concatenate(vertices), np.concatenate(codes))
-
-
-def _places(path: Path) -> NDArray[np.float64]:
-    return np.asarray(path.vertices, dtype=np.float64)
-
-
-def is_closed(path: Path) -> bool:
-    """Tell whether a path made by `join_paths` comes back to its start."""
-    return path.codes is not None and np.asarray(path.codes)[-1] == Path.CLOSEPOLY
+def _within(scene: Scene, points: NDArray[np.float64]) -> bool:
+    """Tell whether points lie within the bounds, which may be those of a part of the table."""
+    low, high = np.array(scene.bounds[:2]), np.array(scene.bounds[2:])
+    return bool(np.all((points >= low) & (points <= high)))

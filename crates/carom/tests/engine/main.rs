@@ -10,6 +10,12 @@
 
 mod ball_ball_with_spin;
 mod closed_forms;
+mod cloth_air;
+mod cloth_contacts;
+mod cloth_continuation;
+mod cloth_motion;
+mod cloth_overlaps;
+mod cloth_rest;
 mod clusters;
 mod conservation;
 mod continuation;

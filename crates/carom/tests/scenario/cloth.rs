@@ -39,21 +39,21 @@ fn a_cloth_has_defaults_and_ranges() {
     assert_eq!((start.position, start.twist().spin), (Vec3::new(0.5, 0.5, 0.03), Vec3::ZERO));
     assert_eq!(
         on_cloth(
-            "physics.flight.gravity = 0\nphysics.flight.restitution = 2\nphysics.flight.min_hop = -1",
+            "physics.flight.gravity = -1\nphysics.flight.restitution = 2\nphysics.flight.min_hop = -1",
             ""
         ),
         [
-            "physics.flight.gravity: must be positive and finite, got 0",
+            "physics.flight.gravity: must be zero or positive and finite, got -1",
             "physics.flight.restitution: must be between 0 and 1, got 2",
             "physics.flight.min_hop: must be zero or positive and finite, got -1"
         ]
     );
     assert_eq!(
-        on_cloth("ball_defaults = { sliding_friction = 0, rolling_friction = -1, spin_decay = 0 }", ""),
+        on_cloth("ball_defaults = { sliding_friction = -1, rolling_friction = -1, spin_decay = -1 }", ""),
         [
-            "ball_defaults.sliding_friction: must be positive and finite, got 0",
-            "ball_defaults.rolling_friction: must be positive and finite, got -1",
-            "ball_defaults.spin_decay: must be positive and finite, got 0"
+            "ball_defaults.sliding_friction: must be zero or positive and finite, got -1",
+            "ball_defaults.rolling_friction: must be zero or positive and finite, got -1",
+            "ball_defaults.spin_decay: must be zero or positive and finite, got -1"
         ]
     );
 }
@@ -95,14 +95,36 @@ fn what_rolls_needs_a_cloth() {
     assert_eq!(table("pockets = [{ id = 'p', center = [0, 0], radius = 0.1 }]"), only("table.pockets"));
     assert_eq!(broken("[0.5, 1.0]", "[0.5, 1.0, 0.075]"), only("balls[1].position[2]"));
     assert_eq!(
-        discs(
-            "ball_defaults.spin_decay = 1\nphysics.cluster = 'hertz'",
-            "spin = [0, 0, 1]\nsliding_friction = 0.1"
-        ),
-        ["physics.cluster", "ball_defaults.spin_decay", "balls[0].sliding_friction", "balls[0].spin"]
+        discs("ball_defaults.spin_decay = 1", "spin = [0, 0, 1]\nsliding_friction = 0.1"),
+        ["ball_defaults.spin_decay", "balls[0].sliding_friction", "balls[0].spin"]
             .map(|place| format!("{place}: {needs}")),
         "all of them at once"
     );
+}
+
+#[test]
+fn what_nothing_slows_needs_an_end() {
+    let scene = |ball: &str, keys: &str| {
+        problems(&format!("physics.flight.law = 'cloth'\n{keys}\n{TABLE}{BALL}{ball}\n"))
+    };
+    let endless = |reason: &str| {
+        [format!(
+            "duration: missing, and not everything comes to rest: {reason}; give duration or collisions"
+        )]
+    };
+    for key in ["sliding_friction", "rolling_friction", "spin_decay"] {
+        let zero = format!("ball_defaults.{key} = 0");
+        let found = endless(&format!("ball \"cue\" has no {key}"));
+        assert_eq!(scene("velocity = [1, 0]", &zero), found, "{key}");
+        assert_eq!(scene("spin = [0, 0, 1]", &zero), found, "{key}");
+        assert_eq!(scene("[shot]\nV0 = 1\nphi_deg = 0", &zero), found, "{key}");
+        assert_eq!(scene("velocity = [1, 0]", &format!("duration = 1\n{zero}")), [""; 0], "{key}");
+        assert_eq!(scene("", &zero), [""; 0], "nothing moves");
+    }
+    let found = endless("without gravity nothing presses the balls onto the cloth");
+    assert_eq!(scene("velocity = [1, 0]", "physics.flight.gravity = 0"), found);
+    assert_eq!(scene("velocity = [1, 0]", "duration = 1\nphysics.flight.gravity = 0"), [""; 0]);
+    assert_eq!(scene("velocity = [1, 0]", ""), [""; 0]);
 }
 
 #[test]

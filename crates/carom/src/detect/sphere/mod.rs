@@ -29,6 +29,10 @@ pub fn detect_spheres<S: Scalar>(
         return None;
     }
     let horizon = common_length(a, b, until);
+    if horizon <= S::ZERO {
+        // What one of them does next is another flight.
+        return None;
+    }
     if a.motion == Motion::Airborne || b.motion == Motion::Airborne {
         air::detect_ball(a, b, radii[0] + radii[1], tolerance, horizon)
     } else {

@@ -143,9 +143,9 @@ pub(super) fn check_finite<D: Saved>(file: &RunFile<D>) -> Found {
         finite("flights.state", flights.state.iter().map(D::worst_of))?;
     }
     for (k, ball) in file.balls.iter().enumerate() {
-        match D::finite_keys(ball).into_iter().find(|(_, value)| !value.is_finite()) {
-            Some((key, _)) => return Err(format!("balls[{k}].{key}")),
-            None => {}
+        let not_finite = D::finite_keys(ball).into_iter().find(|(_, value)| !value.is_finite());
+        if let Some((key, _)) = not_finite {
+            return Err(format!("balls[{k}].{key}"));
         }
     }
     file.steps.iter().try_for_each(finite_steps)?;

@@ -3,8 +3,9 @@
 use super::{Draft, Findings};
 use crate::geometry::{Piece, Vec2};
 use crate::law::ball_cushion::Law;
-use crate::model::Table;
+use crate::model::{Table, Twist};
 use crate::scenario::schema::{Ball, Flight, Physics};
+use crate::scenario::start::BallStart;
 use crate::scenario::system::cushion_law;
 
 /// Notes a missing duration where not everything comes to rest.
@@ -27,9 +28,10 @@ fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
     let field = match draft.physics.flight() {
         Flight::Free => Vec2::ZERO,
         Flight::Field { acceleration } => Vec2::from_f64(*acceleration),
-        Flight::Cloth { restitution, air, .. } => {
+        Flight::Cloth { gravity, restitution, air, .. } => {
             let bounces = *air && *restitution == 1.0;
-            return bounces.then(|| "the cloth gives all the speed of a fall back".into());
+            let reason = bounces.then(|| "the cloth gives all the speed of a fall back".into());
+            return reason.or_else(|| keeps_moving(draft, *gravity));
         }
     };
     if field != Vec2::ZERO {
@@ -45,6 +47,30 @@ fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
     };
     let (_, ball) = draft.balls().find(is_moving)?;
     Some(format!("no field pulls ball {:?} onto a cushion that would hold it", ball.id))
+}
+
+/// Why balls on a cloth may move for ever: nothing slows one of them, and there is motion.
+fn keeps_moving(draft: &Draft<'_>, gravity: f64) -> Option<String> {
+    let starts: Vec<_> = draft
+        .balls()
+        .map(|(index, ball)| (ball, ball.start(index, draft.ball_defaults, &mut |_, value| value)))
+        .collect();
+    let is_moving = |start: &BallStart<f64>| start.twist() != Twist::REST || start.position.z > start.radius;
+    if draft.shot.is_none() && !starts.iter().any(|(_, start)| is_moving(start)) {
+        return None;
+    }
+    if gravity == 0.0 {
+        return Some("without gravity nothing presses the balls onto the cloth".into());
+    }
+    starts.iter().find_map(|(ball, start)| {
+        let rates = [
+            ("sliding_friction", start.sliding_friction),
+            ("rolling_friction", start.rolling_friction),
+            ("spin_decay", start.spin_decay),
+        ];
+        let (key, _) = rates.into_iter().find(|(_, rate)| *rate == 0.0)?;
+        Some(format!("ball {:?} has no {key}", ball.id))
+    })
 }
 
 fn law_of(physics: &Physics, id: &str) -> Law<f64> {
