@@ -188,7 +188,7 @@ class Han2005(Section):
     ----------
     normal : float or BySpeed
         Speed away over speed towards, along the normal, from 0 to 1. Han's own:
-        ``BySpeed((0.39, 0.257, -0.044), up_to=2.9)``.
+        ``BySpeed((0.39, 0.257, -0.044), up_to=2.92)``.
     friction : float or ByIncidence
         The coefficient of friction with the cushion. Han's own: ``ByIncidence((0.471, -0.241))``.
     """
