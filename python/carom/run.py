@@ -451,6 +451,12 @@ class Run:
 
         return figures.plot_speed(self, ax=ax)
 
+    def plot_spin(self, ax: Axes | None = None) -> Axes:
+        """Draw how fast the balls turn over time, on a cloth; see `carom.figures`."""
+        from carom import figures
+
+        return figures.plot_spin(self, ax=ax)
+
     def plot_momentum(self, ax: Axes | None = None) -> Axes:
         """Draw the total momentum over time; see `carom.figures`."""
         from carom import figures

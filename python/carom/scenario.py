@@ -261,9 +261,8 @@ class Scenario:
         values = self.to_dict()
         written: list[Any] = values.get("balls", [])
         new = plain(ball)
-        places = [place for place, one in enumerate(written) if one["id"] == new.get("id")]
-        balls = [*written, new] if not places else [new if place in places else one for place, one in enumerate(written)]
-        return type(self).from_dict({**values, "balls": balls})
+        balls = [new if one["id"] == new.get("id") else one for one in written]
+        return type(self).from_dict({**values, "balls": balls if new in balls else [*balls, new]})
 
     def expanded(self) -> Scenario:
         """Give the same scenario with its preset and its rack in plain keys.

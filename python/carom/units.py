@@ -17,8 +17,6 @@ def unit_of(units: Mapping[str, str], quantity: str) -> str:
     if quantity in units:
         return units[quantity]
     length, time, mass = (units.get(name, "") for name in ("length", "time", "mass"))
-    if quantity == "spin" and time:
-        return f"rad/{time}"
     if quantity == "speed" and length and time:
         return f"{length}/{time}"
     if quantity == "angular_velocity" and time:

@@ -31,42 +31,26 @@ Values = Mapping[str, Any]
 
 
 def table_rows(scenario: Scenario) -> list[Row]:
-<<<<<<< HEAD
     """Give the table's shape, its sizes, and the pieces, pockets and obstacles that it has."""
     table: Values = scenario.expanded().to_dict()["table"]
     length = scenario.units.get("length")
     name = scenario.to_dict()["table"].get("preset")
     rows = [Row("preset", name, presets()[name])] if name else []
     rows.append(Row("shape", table["shape"]))
-=======
-    """Give the table's shape, its sizes, and the pieces and obstacles that it has."""
-    written: Values = scenario.to_dict()["table"]
-    table: Values = scenario.expanded().to_dict()["table"]
-    length = scenario.units.get("length")
-    rows = [Row("preset", written["preset"])] if "preset" in written else []
-    rows.append(Row("shape", table["shape"]))
-    words = ("shape", "pieces", "obstacles", "pockets", "corner", "side", "nose_contact")
-    sizes = {name: value for name, value in table.items() if name not in words}
-    # A whole number counts something, and is no length.
->>>>>>> cue
     rows += [
         Row(key.replace("_", " "), _size(value, length))
         for key, value in table.items()
         if key != "shape" and not isinstance(value, (list, dict))
     ]
-    rows += [Row(f"{key} pockets", _mouth(table[key], length)) for key in ("corner", "side") if key in table]
+    rows += [row for key in ("corner", "side") if key in table for row in _mouth_rows(key, table[key], length)]
     rows += [Row(f"pocket {pocket['id']}", _circle("pocket", pocket, length)) for pocket in table.get("pockets", [])]
     if "pieces" in table:
         x_min, y_min, x_max, y_max = scenario.outline()["bounds"]
         extent = f"{short(x_max - x_min)} × {short(y_max - y_min)}"
         rows.append(Row("extent", with_unit(extent, length)))
-    rows += [Row(f"{name} pockets", _numbers(table[name], length)) for name in ("corner", "side") if name in table]
-    rows += [Row("pockets", listed(pocket["id"] for pocket in table["pockets"]))] if "pockets" in table else []
-    rows += [Row("nose contact", table["nose_contact"])] if "nose_contact" in table else []
     return rows + _part_rows("pieces", table.get("pieces", [])) + _part_rows("obstacles", table.get("obstacles", []))
 
 
-<<<<<<< HEAD
 def _size(value: float | int | str, unit: str | None) -> str:
     """Give a size with its unit; a whole number counts something, and is no length."""
     if isinstance(value, str):
@@ -74,24 +58,18 @@ def _size(value: float | int | str, unit: str | None) -> str:
     return exact(value) if isinstance(value, int) else with_unit(short(value), unit)
 
 
-def _mouth(mouth: Values, unit: str | None) -> str:
-    sizes = [
-        f"angle {short(value)}°" if key == "angle_deg" else f"{key.replace('_', ' ')} {with_unit(short(value), unit)}"
+def _mouth_rows(name: str, mouth: Values, unit: str | None) -> list[Row]:
+    """Give the sizes of the pockets at the corners, or of those at the sides."""
+    return [
+        Row(f"{name} angle", f"{short(value)}°")
+        if key == "angle_deg"
+        else Row(f"{name} {key.replace('_', ' ')}", with_unit(short(value), unit))
         for key, value in mouth.items()
     ]
-    return ", ".join(sizes)
 
 
 def _circle(kind: str, circle: Values, unit: str | None = None) -> str:
     return f"{kind} around {point(circle['center'])}, radius {with_unit(short(circle['radius']), unit)}"
-=======
-def _numbers(values: Values, length: str | None) -> str:
-    """Give lengths and angles by their names."""
-    return ", ".join(
-        f"{name} {short(value)}°" if name.endswith("_deg") else f"{name} {with_unit(short(value), length)}"
-        for name, value in values.items()
-    )
->>>>>>> cue
 
 
 def _part_rows(name: str, parts: list[Values]) -> list[Row]:
@@ -130,11 +108,15 @@ def ball_table(scenario: Scenario) -> dict[str, Any]:
         head("radius", length): column([ball.radius or 0.0 for ball in shown]),
         head("mass", mass): column([1.0 if ball.mass is None else ball.mass for ball in shown]),
         **_vector_columns("", [ball.position for ball in shown], length),
-        **_vector_columns("velocity ", [ball.velocity for ball in shown], unit_of(scenario.units, "speed")),
     }
+    motions = {"velocity ": ([ball.velocity for ball in shown], unit_of(scenario.units, "speed"))}
     if scenario.is_on_cloth:
-        columns |= _vector_columns("spin ", [ball.spin for ball in shown], unit_of(scenario.units, "spin"))
         columns |= _friction_columns(scenario)
+        motions["spin "] = ([ball.spin for ball in shown], unit_of(scenario.units, "angular_velocity"))
+        # Where a cue strikes, as a rule nothing moves before.
+        motions = {words: given for words, given in motions.items() if np.any(np.array(given[0], dtype=float))}
+    for words, (vectors, unit) in motions.items():
+        columns |= _vector_columns(words, vectors, unit)
     numbers = zip(*columns.values(), strict=True)
     rows = [
         {"colour": colour, "id": ball.id, "numbers": row}
@@ -164,18 +146,13 @@ def _friction_columns(scenario: Scenario) -> dict[str, list[str]]:
 
 def law_rows(scenario: Scenario) -> list[Row]:
     """Give the laws of motion and of contact, those that the scenario leaves out too."""
-<<<<<<< HEAD
     values = scenario.expanded().to_dict()
     physics: Values = values.get("physics", {})
-=======
-    physics: Values = scenario.expanded().to_dict().get("physics", {})
->>>>>>> cue
     elastic, cushion_laws, own = {"law": "elastic"}, choices("BallCushion"), physics.get("cushions", {})
     rows = [_law_row("between events", physics.get("flight", {"law": "free"}), choices("Flight"), scenario.units)]
     rows += [_law_row("two balls", physics.get("ball_ball", elastic), choices("BallBall"), scenario.units)]
     rows += [_law_row("ball and cushion", physics.get("ball_cushion", elastic), cushion_laws, scenario.units)]
     rows += [_law_row(f"at {name}", law, cushion_laws, scenario.units) for name, law in own.items()]
-<<<<<<< HEAD
     clusters, collapses = choices("Cluster"), choices("Collapse")
     if scenario.is_on_cloth:
         frictions = {**FRICTIONS, **values.get("ball_defaults", {})}
@@ -185,14 +162,6 @@ def law_rows(scenario: Scenario) -> list[Row]:
         return [*rows, Row("several at once", cluster, clusters[cluster])]
     for name, key, meanings in (("several at once", "cluster", clusters), ("without end", "collapse", collapses)):
         word = physics.get(key, next(iter(meanings)))
-=======
-    for name, key, meanings in (
-        ("several at once", "cluster", choices("Cluster")),
-        ("without end", "collapse", choices("Collapse")),
-    ):
-        default = "hertz" if key == "cluster" and scenario.is_on_cloth else next(iter(meanings))
-        word = physics.get(key, default)
->>>>>>> cue
         rows.append(Row(name, word, meanings.get(word, "")))
     return rows
 
@@ -201,7 +170,6 @@ def _law_row(name: str, law: Values, meanings: Mapping[str, str], units: Mapping
     parts = [law["law"]]
     for key, value in law.items():
         if key != "law":
-<<<<<<< HEAD
             unit = "acceleration" if key == "gravity" else "length" if key == "min_hop" else key
             parts.append(f"{key.replace('_', ' ')} {with_unit(_setting(value), unit_of(units, unit))}")
     return Row(name, ", ".join(parts), meanings.get(law["law"], ""))
@@ -233,19 +201,6 @@ def _number_row(key: str, value: Any, units: Mapping[str, str]) -> Row:
     name = key.removesuffix("_deg").replace("_", " ")
     text = with_unit(_setting(value), unit_of(units, quantity))
     return Row(name, f"{text}°" if key.endswith("_deg") else text)
-=======
-            parts.append(f"{key} {with_unit(_text(value), unit_of(units, key))}")
-    return Row(name, ", ".join(parts), meanings.get(law["law"], ""))
-
-
-def _text(value: Any) -> str:
-    """Give a parameter: a number, a word, a vector, or several by their names."""
-    if isinstance(value, Mapping):
-        return "(" + ", ".join(f"{name} {_text(inner)}" for name, inner in value.items()) + ")"
-    if isinstance(value, list):
-        return point(value) if len(value) == 2 else "(" + ", ".join(map(short, value)) + ")"
-    return ("yes" if value else "no") if isinstance(value, bool) else short(value)
->>>>>>> cue
 
 
 def method_rows(scenario: Scenario) -> list[Row]:

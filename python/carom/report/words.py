@@ -30,7 +30,6 @@ KINDS = {
     "release": "a held ball went on its way again",
     "cue_ball": "the cue struck a ball",
     "miscue": "the tip of the cue slipped off the ball",
-<<<<<<< HEAD
     "slide_to_roll": "a ball that slid on the cloth began to roll",
     "slide_to_spin": "a ball that slid stopped, and spun on in place",
     "slide_to_rest": "a ball that slid stopped",
@@ -38,15 +37,6 @@ KINDS = {
     "roll_to_rest": "a ball that rolled stopped",
     "spin_to_rest": "a ball that spun in place stopped",
     "ball_cloth": "a ball fell onto the cloth, and bounced or stayed",
-=======
-    "slide_to_roll": "a ball that slid on the cloth rolls from now on",
-    "slide_to_spin": "a ball that slid stopped, and spins in place",
-    "slide_to_rest": "a ball that slid stopped",
-    "roll_to_spin": "a ball that rolled stopped, and spins in place",
-    "roll_to_rest": "a ball that rolled stopped",
-    "spin_to_rest": "a ball that spun in place stopped",
-    "ball_cloth": "a ball fell onto the cloth",
->>>>>>> cue
     "ball_pocket": "a ball dropped into a pocket",
     "off_table": "a ball flew over a cushion, off the table",
 }
