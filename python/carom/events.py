@@ -55,7 +55,7 @@ class Event:
     closing_speed: float
     impulse: float
     cluster: int | None
-    pocket: str | None
+    pocket: str | None = None
 
     @property
     def position(self) -> tuple[float, float]:

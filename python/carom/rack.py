@@ -32,7 +32,7 @@ class Rack(Section):
     >>> import carom
     >>> table = carom.Table.preset("pool_9ft")
     >>> carom.Scenario(table, rack=Rack("nine_ball", seed=7)).ball_ids
-    ['cue', '1', '3', '5', '7', '9', '8', '4', '2', '6']
+    ['cue', '1', '2', '5', '4', '9', '8', '6', '7', '3']
     """
 
     game: Game

@@ -27,21 +27,23 @@ class Candidate:
         The ball.
     kind : str or None
         The kind of event; None when nothing ever closes on this ball.
-    ball_b, cushion, pocket : str or None
-        What it would meet, or fall into.
+    ball_b, cushion : str or None
+        What it would meet.
     time : float or None
         When.
     gap : float or None
         The distance now between the two.
+    pocket : str or None
+        What it would fall into.
     """
 
     ball: str
     kind: str | None
     ball_b: str | None
     cushion: str | None
-    pocket: str | None
     time: float | None
     gap: float | None
+    pocket: str | None = None
 
 
 class Simulation:
