@@ -347,6 +347,15 @@ def test_a_ball_is_put_back(potted: carom.Run) -> None:
     assert moved.balls[0].position == pytest.approx((0.6, 0.6, RADIUS), abs=1e-12)
 
 
+def test_where_two_shots_part_is_said_in_words(scenario: carom.Scenario) -> None:
+    """The one runs on where the other, weaker, comes to rest; and one that falls is said to fall."""
+    table = carom.Table.preset("pool_9ft")
+    alone = carom.Scenario(table, [carom.Ball("cue", position=(0.2, 2.34))], shot=carom.Shot(V0=1, phi_deg=135))
+    said = " ".join(str(carom.compare(alone.run(), alone.with_shot(V0=0.1, phi_deg=135).run())).split())
+    assert "then cue falls into lt at t = " in said
+    assert "goes from roll to rest at t = " in said
+
+
 # What can be said in Python
 
 
