@@ -19,7 +19,10 @@ pub fn event_columns<'py>(
     columns.set_item("kind", column(py, events, |event| event.kind as i8))?;
     columns.set_item("ball_a", column(py, events, |event| event.ball_a as i32))?;
     columns.set_item("ball_b", column(py, events, |event| code(event.ball_b)))?;
-    columns.set_item("cushion", column(py, events, |event| place(event, false).map_or(-1, |place| place as i32)))?;
+    columns.set_item(
+        "cushion",
+        column(py, events, |event| place(event, false).map_or(-1, |place| place as i32)),
+    )?;
     columns.set_item("x", column(py, events, |event| event.point.x))?;
     columns.set_item("y", column(py, events, |event| event.point.y))?;
     columns.set_item("normal_x", column(py, events, |event| event.normal.x))?;

@@ -1,7 +1,9 @@
 //! Runs.
 
 use crate::columns::{event_columns, step_columns};
-use crate::errors::{discs_have_no_spin, file_error, problem, query_error, run_error, scenario_error, simulation_error};
+use crate::errors::{
+    discs_have_no_spin, file_error, problem, query_error, run_error, scenario_error, simulation_error,
+};
 use crate::interrupt::interruptible;
 use crate::scenario::{Scenario, options};
 use crate::states::{Moving, vectors};
