@@ -32,7 +32,7 @@ def first_column(title: str) -> list[str]:
 
 
 def test_each_law_has_its_page() -> None:
-    assert stems("laws") == schema.laws()
+    assert stems("laws") == schema.laws() | {"cue-ball"}
 
 
 def test_each_shape_has_its_page() -> None:
@@ -66,6 +66,10 @@ def keys_in(value: object) -> set[str]:
 
 def test_kinds_of_events_are_those_of_the_engine() -> None:
     assert first_column("Kinds of events") == list(_engine.EVENT_KINDS)
+
+
+def test_motions_are_those_of_the_engine() -> None:
+    assert first_column("Motions") == list(_engine.MOTIONS)
 
 
 def test_statuses_are_those_of_the_engine() -> None:

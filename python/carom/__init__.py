@@ -28,7 +28,7 @@ if TYPE_CHECKING:
         compare_steps,
         compare_trajectory,
     )
-    from carom.cue import Cue, Rack, Shot, ShotResult
+    from carom.cue import Cue, Shot
     from carom.errors import (
         CaromError,
         MissingExtraError,
@@ -38,12 +38,15 @@ if TYPE_CHECKING:
         TrajectoryError,
     )
     from carom.events import Event, EventTable
-    from carom.library import scenarios
+    from carom.library import presets, scenarios
     from carom.method import Exact, Stepped
     from carom.physics import (
+        ByIncidence,
+        BySpeed,
         Cloth,
         Damping,
         Elastic,
+        FallingFriction,
         Field,
         Free,
         Frictional,
@@ -54,8 +57,10 @@ if TYPE_CHECKING:
         Restitution,
         StrongeCompliant,
     )
+    from carom.rack import Rack
     from carom.run import Reference, Run, Verification, load_run
     from carom.scenario import Scenario, load
+    from carom.shot import ShotResult
     from carom.simulation import Candidate, Simulation
     from carom.table import Arc, Circle, Line, Mouth, Path, Pocket, Table, Wall
 
@@ -74,7 +79,7 @@ _HOMES = {
         "compare_steps",
         "compare_trajectory",
     ],
-    "cue": ["Cue", "Rack", "Shot", "ShotResult"],
+    "cue": ["Cue", "Shot"],
     "errors": [
         "CaromError",
         "MissingExtraError",
@@ -84,12 +89,15 @@ _HOMES = {
         "TrajectoryError",
     ],
     "events": ["Event", "EventTable"],
-    "library": ["scenarios"],
+    "library": ["presets", "scenarios"],
     "method": ["Exact", "Stepped"],
     "physics": [
+        "ByIncidence",
+        "BySpeed",
         "Cloth",
         "Damping",
         "Elastic",
+        "FallingFriction",
         "Field",
         "Free",
         "Frictional",
@@ -100,8 +108,10 @@ _HOMES = {
         "Restitution",
         "StrongeCompliant",
     ],
+    "rack": ["Rack"],
     "run": ["Reference", "Run", "Verification", "load_run"],
     "scenario": ["Scenario", "load"],
+    "shot": ["ShotResult"],
     "simulation": ["Candidate", "Simulation"],
     "table": ["Arc", "Circle", "Line", "Mouth", "Path", "Pocket", "Table", "Wall"],
 }
@@ -111,6 +121,8 @@ __all__ = [
     "PHYSICS_VERSION",
     "Arc",
     "Ball",
+    "ByIncidence",
+    "BySpeed",
     "Candidate",
     "CaromError",
     "Circle",
@@ -123,6 +135,7 @@ __all__ = [
     "Event",
     "EventTable",
     "Exact",
+    "FallingFriction",
     "Field",
     "Free",
     "Frictional",
@@ -163,6 +176,7 @@ __all__ = [
     "compare_trajectory",
     "load",
     "load_run",
+    "presets",
     "scenarios",
     "schema",
 ]

@@ -20,17 +20,19 @@ class Ball(Section):
     id : str
         The name of this ball, unlike that of any other.
     position : (2,) or (3,) sequence of float, optional
-        Centre (x, y) at time 0, in length; over a cloth (x, y, z). Only a ball of the rack may leave it out.
+        Centre (x, y) at time 0, in length; over a cloth also (x, y, z), with the height of the centre. Only a ball of
+        the rack can do without.
     velocity : (2,) or (3,) sequence of float, optional
-        Velocity at time 0, in length per time; absent: at rest, unless `speed` is given.
+        Velocity (x, y), over a cloth also (x, y, z), at time 0, in length per time; absent: at rest, unless `speed` is
+        given.
+    spin : (3,) sequence of float, optional
+        Angular velocity (x, y, z) at time 0, in radians per time, by the right-hand rule; on a cloth only.
     speed, direction_deg : float, optional
         Speed and direction (degrees from the x axis towards the y axis), together, in place of `velocity`.
     radius : float, optional
         In length; zero is a point; absent: that of ``ball_defaults``.
     mass : float, optional
         Absent: that of ``ball_defaults``, or 1.
-    spin : (3,) sequence of float, optional
-        Angular velocity at time 0 by the right-hand rule, in radians per time; on a cloth.
     sliding_friction, rolling_friction : float, optional
         Coefficients of friction with the cloth; absent: those of ``ball_defaults``, or 0.2 and 0.01.
     spin_decay : float, optional
@@ -49,11 +51,11 @@ class Ball(Section):
     _: KW_ONLY
     position: Vector | None = None
     velocity: Vector | None = None
+    spin: Vector | None = None
     speed: float | None = None
     direction_deg: float | None = None
     radius: float | None = None
     mass: float | None = None
-    spin: Vector | None = None
     sliding_friction: float | None = None
     rolling_friction: float | None = None
     spin_decay: float | None = None

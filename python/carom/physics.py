@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import KW_ONLY, dataclass
 from typing import TYPE_CHECKING, ClassVar, Literal
 
@@ -30,20 +30,22 @@ class Field(Section):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Cloth(Section):
-    """Rolling, sliding and spinning on a cloth, and through the air above it.
+    """Balls that slide, roll and spin on a cloth, and fly over it: with this law they are spheres.
+
+    How a ball rubs on the cloth, its `sliding_friction`, `rolling_friction` and `spin_decay`, stands with the ball.
 
     Parameters
     ----------
     gravity : float, optional
         Acceleration of free fall; absent: 9.81.
     restitution : float, optional
-        Speed up from the cloth over speed down to it, of a ball that lands, from 0 to 1; absent: 0.5.
+        Speed up over speed down of a ball that lands on the cloth, from 0 to 1; absent: 0.5.
     friction : float, optional
         Coefficient of friction of a landing; absent: the ball's `sliding_friction`.
     min_hop : float, optional
         Hops that would rise less than this, in length, are left out; absent: 0.005.
     air : bool, optional
-        Whether balls can leave the cloth; absent: True.
+        Whether balls can leave the cloth; absent: true.
     """
 
     tag: ClassVar = {"law": "cloth"}
@@ -91,24 +93,62 @@ class Damping(Section):
     factor: float
 
 
-BySpeed = Mapping[str, Sequence[float] | float]
-"""A restitution by the closing speed: ``{"by_speed": [c0, c1, c2], "up_to": v}``."""
+@dataclass(frozen=True, eq=False, repr=False)
+class FallingFriction(Section):
+    """A coefficient of friction between balls that falls with the speed s at which they slip: a + b exp(−c s).
 
-ByIncidence = Mapping[str, Sequence[float]]
-"""A friction by the angle θ between velocity and normal: ``{"by_incidence": [c0, c1]}`` is c0 + c1 θ."""
+    Alciatore's fit to Marlow's measurements, ``FallingFriction(0.009951, 0.108, 1.088)`` with speeds in m/s, is what
+    the laws take that are given no friction.
+    """
+
+    a: float
+    b: float
+    c: float
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class BySpeed(Section):
+    """A coefficient of restitution that depends on the closing speed v: c0 + c1 v + c2 v².
+
+    Parameters
+    ----------
+    by_speed : (3,) sequence of float
+        The coefficients c0, c1 and c2; what they give must lie between 0 and 1 at every speed up to `up_to`.
+    up_to : float
+        Faster contacts have the restitution of this speed.
+    """
+
+    by_speed: Vector
+    _: KW_ONLY
+    up_to: float
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ByIncidence(Section):
+    """A coefficient of friction with a cushion that depends on the angle of incidence θ, in radians: c0 + c1 θ.
+
+    Parameters
+    ----------
+    by_incidence : (2,) sequence of float
+        The coefficients c0 and c1; what they give must not be negative for angles from 0 to π/2.
+    """
+
+    by_incidence: Vector
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Frictional(Section):
-    """A contact with restitution, and friction where the surfaces slip: between balls, or at a cushion's nose.
+    """A contact with restitution, and friction where the surfaces slip on each other; on a cloth only.
+
+    Between balls it makes throw and passes spin on; at a cushion it is one impulse at the point of the nose.
 
     Parameters
     ----------
-    normal : float or mapping
-        Speed of parting over closing speed, from 0 to 1; at cushions also `BySpeed`.
-    friction : float or mapping, optional
-        The coefficient. Between balls ``{"a", "b", "c"}`` is a + b exp(−c s) of the slip speed s, and absent it is
-        Alciatore's fit; at cushions it must be given, and may be `ByIncidence`.
+    normal : float or BySpeed
+        Speed away over speed towards, along the normal, from 0 to 1; by speed at cushions only.
+    friction : float, FallingFriction or ByIncidence
+        The coefficient of friction. Between balls it may be left out, for Alciatore's fit, or fall with the speed; at
+        cushions it is needed, and may depend on the angle of incidence.
     cling : float, optional
         Between balls only: what friction is multiplied with; absent: 1.
     """
@@ -117,24 +157,41 @@ class Frictional(Section):
 
     _: KW_ONLY
     normal: float | BySpeed
-    friction: float | Mapping[str, float] | ByIncidence | None = None
+    friction: float | FallingFriction | ByIncidence | None = None
     cling: float | None = None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Mathavan2014(Section):
-    """Balls with friction between them, and of the one pressed onto the cloth; parameters as of `Frictional`."""
+    """Two balls as Mathavan, Jackson and Parkin have them in 2014, summed over the blow; on a cloth only.
+
+    Parameters
+    ----------
+    normal : float
+        Speed of parting over closing speed, from 0 to 1; its square is the part of the work that comes back.
+    friction : float or FallingFriction, optional
+        The coefficient of friction between balls; absent: Alciatore's fit.
+    """
 
     tag: ClassVar = {"law": "mathavan_2014"}
 
     _: KW_ONLY
     normal: float
-    friction: float | Mapping[str, float] | None = None
+    friction: float | FallingFriction | None = None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Han2005(Section):
-    """A cushion by Han's law of 2005; `normal` and `friction` as `Frictional` at cushions."""
+    """A ball at a cushion as Han has it in 2005: it sticks or slips at the nose; on a cloth only.
+
+    Parameters
+    ----------
+    normal : float or BySpeed
+        Speed away over speed towards, along the normal, from 0 to 1. Han's own:
+        ``BySpeed((0.39, 0.257, -0.044), up_to=2.92)``.
+    friction : float or ByIncidence
+        The coefficient of friction with the cushion. Han's own: ``ByIncidence((0.471, -0.241))``.
+    """
 
     tag: ClassVar = {"law": "han_2005"}
 
@@ -145,7 +202,15 @@ class Han2005(Section):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Mathavan2010(Section):
-    """A cushion by Mathavan, Jackson and Parkin's law of 2010; `normal` and `friction` as `Frictional` at cushions."""
+    """A ball at a cushion as Mathavan, Jackson and Parkin have it in 2010, summed over the blow; on a cloth only.
+
+    Parameters
+    ----------
+    normal : float or BySpeed
+        The square root of the part of the work that comes back, from 0 to 1.
+    friction : float or ByIncidence
+        The coefficient of friction with the cushion.
+    """
 
     tag: ClassVar = {"law": "mathavan_2010"}
 
@@ -156,9 +221,16 @@ class Mathavan2010(Section):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class StrongeCompliant(Section):
-    """A cushion that gives way along the nose too; `normal` and `friction` as `Frictional` at cushions.
+    """A ball at a cushion that gives way along the nose too, as a spring does, after Stronge; on a cloth only.
 
-    `frequency_ratio`, from 1 to 2, is the frequency of the swing along the nose over that into it; absent: 1.8.
+    Parameters
+    ----------
+    normal : float or BySpeed
+        The energetic coefficient of restitution, from 0 to 1.
+    friction : float or ByIncidence
+        The coefficient of friction with the cushion.
+    frequency_ratio : float, optional
+        Frequency of the swing along the nose over that of the swing into it, from 1 to 2; absent: 1.8.
     """
 
     tag: ClassVar = {"law": "stronge_compliant"}
@@ -169,6 +241,9 @@ class StrongeCompliant(Section):
     frequency_ratio: float | None = None
 
 
+FlightLaw = Free | Field | Cloth
+"""How balls can move between events."""
+
 BallLaw = Elastic | Restitution | Frictional | Mathavan2014
 """What can happen when two balls meet."""
 
@@ -178,20 +253,20 @@ CushionLaw = Elastic | Restitution | Damping | Frictional | Han2005 | Mathavan20
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Physics(Section):
-    """The laws of a scenario; each one absent is the first named.
+    """The laws of a scenario; each one absent is that of the table's preset, or else the first named.
 
     Parameters
     ----------
     flight : Free, Field or Cloth, optional
         How balls move between events.
-    ball_ball : BallLaw, optional
+    ball_ball : Elastic, Restitution, Frictional or Mathavan2014, optional
         What happens when two balls meet.
-    ball_cushion : CushionLaw, optional
+    ball_cushion : Elastic, Restitution, Damping, Frictional, Han2005, Mathavan2010 or StrongeCompliant, optional
         What happens when a ball meets a cushion.
-    cushions : mapping of str to CushionLaw, optional
+    cushions : mapping of str to a law of cushions, optional
         Laws of single cushions, by the cushion's id, in place of `ball_cushion`.
     cluster : "reflections", "hertz" or "pairwise", optional
-        How contacts at one instant are resolved.
+        How contacts at one instant are resolved; absent: on a cloth hertz, else reflections.
     collapse : "stop" or "tc", optional
         What is done when a ball's contacts follow each other without end in a finite time: the run stops, or contacts
         within a very short time t_c lose nothing, so that balls in a field go on hopping and do not come to rest.
@@ -200,10 +275,12 @@ class Physics(Section):
     --------
     >>> Physics(ball_cushion=Damping(0.8), cushions={"left": Elastic()})
     Physics(ball_cushion=Damping(factor=0.8), cushions={'left': Elastic()})
+    >>> Physics(flight=Cloth(), ball_ball=Frictional(normal=0.95), ball_cushion=Mathavan2010(normal=0.85, friction=0.2))
+    Physics(flight=Cloth(), ball_ball=Frictional(normal=0.95), ball_cushion=Mathavan2010(normal=0.85, friction=0.2))
     """
 
     _: KW_ONLY
-    flight: Free | Field | Cloth | None = None
+    flight: FlightLaw | None = None
     ball_ball: BallLaw | None = None
     ball_cushion: CushionLaw | None = None
     cushions: Mapping[str, CushionLaw] | None = None

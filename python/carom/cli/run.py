@@ -30,7 +30,7 @@ SAMPLES = 500
 MOST_SAMPLES = 1e7
 LONGEST_FILM = 20.0
 MOST_ROWS = 50
-SHOWN = ("time", "kind", "ball_a", "ball_b", "cushion", "x", "y", "closing_speed")
+SHOWN = ("time", "kind", "ball_a", "ball_b", "cushion", "pocket", "x", "y", "closing_speed")
 
 
 class MethodName(str, Enum):
@@ -97,7 +97,7 @@ def run(
             written += _write_report(result, folder, pictures, written, command)
     facts = {"out": None if out is None else str(out), "files": written, "animation_speed": film_speed}
     _print_json(result, facts) if as_json else _print_tables(result, facts)
-    if result.status == "collapsed" or (result.status == "event_limit" and max_events is None):
+    if result.status in ("collapsed", "miscue") or (result.status == "event_limit" and max_events is None):
         say_error("run", f"ended by {result.status} at t = {result.end_time:g}, before its time")
         raise typer.Exit(PROBLEM)
 
@@ -185,6 +185,7 @@ def _print_json(run: Run, facts: dict[str, Any]) -> None:
             "diagnostics": run.diagnostics,
             "references": [asdict(reference) for reference in run.references],
             "record": run.record,
+            "shot": _shot(run),
             "events": events,
             **facts,
         }
@@ -197,12 +198,39 @@ def _print_tables(run: Run, facts: dict[str, Any]) -> None:
     if record == "none":
         print("no events: the run kept none (record = none)")
     else:
-        print_table({name: run.events[name].tolist() for name in SHOWN}, title=run.scenario.title, most=MOST_ROWS)
+        shown = [name for name in SHOWN if name != "pocket" or run.pocket_ids]
+        print_table({name: run.events[name].tolist() for name in shown}, title=run.scenario.title, most=MOST_ROWS)
     print()
-    shown = {"status": run.status, "end_time": run.end_time, "digest": run.digest} | _flat(run.diagnostics)
-    shown |= {} if record == "all" else {"record": record}
-    shown |= _flat({**facts, "files": " ".join(facts["files"]) or None})
-    print_table({"diagnostic": list(shown), "value": list(shown.values())})
+    outcome = _shot(run)
+    if outcome is not None:
+        words = {name: " ".join(value) if isinstance(value, list) else value for name, value in _told(outcome).items()}
+        print_table({"shot": list(words), "value": list(words.values())})
+        print()
+    found = {"status": run.status, "end_time": run.end_time, "digest": run.digest} | _flat(run.diagnostics)
+    found |= {} if record == "all" else {"record": record}
+    found |= _flat({**facts, "files": " ".join(facts["files"]) or None})
+    print_table({"diagnostic": list(found), "value": list(found.values())})
+
+
+def _shot(run: Run) -> dict[str, Any] | None:
+    """Give what came of the shot; None where there was none, or where no events were kept."""
+    if run.record == "none" or "shot" not in run.scenario.to_dict():
+        return None
+    return run.shot.to_dict()
+
+
+def _told(outcome: dict[str, Any]) -> dict[str, Any]:
+    """Give what came of a shot as a row each, without what was not; times and counts beside what they are of."""
+    pairs = zip(outcome["pocketed"], outcome["pockets"], strict=True)
+    return {
+        "cue_ball": outcome["cue_ball"],
+        "first_ball_hit": outcome["first_ball_hit"],
+        "pocketed": [f"{ball}:{pocket}" for ball, pocket in pairs],
+        "cushions_before": outcome["cushions_before"],
+        "cushions_after": outcome["cushions_after"],
+        "balls_to_cushion": outcome["balls_to_cushion"],
+        "off_table": outcome["off_table"],
+    }
 
 
 def _flat(values: dict[str, Any], prefix: str = "") -> dict[str, Any]:

@@ -51,18 +51,26 @@ class Parting:
         count = f"{self.same} {'is' if self.same == 1 else 'are'} the same"
         if self.event is None:
             return f"all {count} in kind, balls and cushion" if self.same else "there are none"
-        events = zip((self.event_a, self.event_b), names, strict=True)
-        met = ", ".join(f"{self._met(event)} in {name}" for event, name in events)
-        return f"{count}; then {self.ball} meets {met}"
+        told = [self._told(event) for event in (self.event_a, self.event_b)]
+        verbs = [verb for verb, _ in told]
+        # One verb is enough where it is the same.
+        said = [what if verb == verbs[0] and number else f"{verb} {what}" for number, (verb, what) in enumerate(told)]
+        parts = ", ".join(f"{words} in {name}" for words, name in zip(said, names, strict=True))
+        return f"{count}; then {self.ball} {parts}"
 
-    def _met(self, event: Event | None) -> str:
+    def _told(self, event: Event | None) -> tuple[str, str]:
+        """Give what the ball does in an event, as a verb and the rest."""
         if event is None:
-            return "nothing more"
-        what = f"the {event.cushion} cushion" if event.cushion is not None else " and ".join(self._others(event))
-        return f"{what} at t = {event.time:.6g}"
-
-    def _others(self, event: Event) -> list[str]:
-        return [name for name in event.balls if name != self.ball]
+            return "meets", "nothing more"
+        at = f"at t = {event.time:.6g}"
+        others = " and ".join(name for name in event.balls if name != self.ball)
+        if event.pocket is not None:
+            return "falls", f"into {event.pocket} {at}"
+        if others or event.kind == "ball_cushion":
+            return "meets", f"{others or f'the {event.cushion} cushion'} {at}"
+        if "_to_" in event.kind:
+            return "goes", f"from {event.kind.replace('_to_', ' to ')} {at}"
+        return "comes", f"to {event.kind} {at}"
 
 
 def find_parting(a: Run, b: Run, balls: list[str], end: float) -> Parting:
@@ -101,4 +109,4 @@ def _by_ball(run: Run, end: float) -> dict[str, list[Event]]:
 
 
 def _sort(event: Event) -> Sort:
-    return event.kind, frozenset(event.balls), event.cushion
+    return event.kind, frozenset(event.balls), event.cushion or event.pocket

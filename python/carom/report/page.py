@@ -13,15 +13,16 @@ from carom import _engine
 from carom.cite import citation
 from carom.files import write_text
 from carom.report import words
-from carom.report.parameters import ball_table, law_rows, limit_rows, method_rows, table_rows
+from carom.report.parameters import ball_table, law_rows, limit_rows, method_rows, shot_rows, table_rows
 from carom.report.pictures import drawn, figures_of, pictures_of
-from carom.report.results import diagnostic_rows, event_table, facts, step_rows, verdict
+from carom.report.results import diagnostic_rows, event_table, facts, outcome_rows, step_rows, verdict
 from carom.report.rows import Row
 
 if TYPE_CHECKING:
     import jinja2
 
     from carom.run import Run
+    from carom.scenario import Scenario
 
 LONGEST_TEXT = 1_000_000
 
@@ -55,16 +56,12 @@ def report_html(
         verdict=verdict(run),
         facts=facts(run),
         pictures=pictures_of(run, pictures),
-        parameters={
-            "Table": table_rows(scenario),
-            "Laws": law_rows(scenario),
-            "Method": method_rows(scenario),
-            "Limits": limit_rows(scenario),
-        },
+        parameters=_parameters(scenario),
         references=run.references,
         balls=ball_table(scenario),
         scenario_text=text if len(text) <= LONGEST_TEXT else "",
         events=event_table(run),
+        outcome=outcome_rows(run),
         steps=step_rows(run),
         diagnostics=diagnostic_rows(run),
         versions=_versions(run),
@@ -72,6 +69,17 @@ def report_html(
         files=files,
         citation=citation().splitlines()[0],
     )
+
+
+def _parameters(scenario: Scenario) -> dict[str, list[Row]]:
+    groups = {
+        "Table": table_rows(scenario),
+        "Laws": law_rows(scenario),
+        "Shot": shot_rows(scenario),
+        "Method": method_rows(scenario),
+        "Limits": limit_rows(scenario),
+    }
+    return {name: rows for name, rows in groups.items() if rows}
 
 
 def write_report(

@@ -13,9 +13,10 @@ from carom.units import unit_of
 
 if TYPE_CHECKING:
     from carom.run import Run
+    from carom.shot import ShotResult
 
 MOST_EVENTS = 1000
-WORDS = ("kind", "ball_a", "ball_b", "cushion")
+WORDS = ("kind", "ball_a", "ball_b", "cushion", "pocket")
 NUMBERS = {"x": "length", "y": "length", "closing_speed": "speed", "impulse": "momentum"}
 
 
@@ -76,15 +77,44 @@ def event_table(run: Run) -> dict[str, Any] | None:
     kept, units = run.events, run.scenario.units
     shown = kept[:MOST_EVENTS]
     heads = {name: head(name, unit_of(units, quantity)) for name, quantity in NUMBERS.items()}
+    named = [name for name in WORDS if name != "pocket" or run.pocket_ids]
     columns: list[list[str]] = [[exact(index) for index in shown["index"].tolist()], column(shown["time"])]
-    columns += [["" if word is None else word for word in shown[name]] for name in WORDS]
+    columns += [["" if word is None else word for word in shown[name]] for name in named]
     columns += [column(shown[name]) for name in NUMBERS]
-    names = ["index", head("time", units.get("time")), *WORDS, *heads.values()]
+    names = ["index", head("time", units.get("time")), *named, *heads.values()]
     if np.any(kept["cluster"] >= 0):
         names.append("cluster")
         columns.append(["" if number < 0 else exact(number) for number in shown["cluster"].tolist()])
     rows = list(zip(*columns, strict=True))
-    return {"heads": names, "rows": rows, "words": range(2, 2 + len(WORDS)), "count": len(kept)}
+    return {"heads": names, "rows": rows, "words": range(2, 2 + len(named)), "count": len(kept)}
+
+
+def outcome_rows(run: Run) -> list[Row]:
+    """Give what came of the shot; none where there was none, or where no events were kept."""
+    if run.record == "none" or "shot" not in run.scenario.to_dict():
+        return []
+    shot, unit = run.shot, run.scenario.units.get("time")
+    if shot.is_miscue:
+        return [Row("miscue", "yes", "the tip slipped off, and no law says what happens then")]
+    falls = zip(shot.pocketed, shot.pockets, shot.pocket_times, strict=True)
+    texts = [f"{ball} in {pocket} at {with_unit(short(time, 4), unit)}" for ball, pocket, time in falls]
+    first = f"at {with_unit(short(shot.first_hit_time, 4), unit)}" if shot.first_hit_time is not None else ""
+    counts = [f"{len(before)} before, {len(after)} after" for before, after in _before_and_after(shot)]
+    rows = [
+        Row("first ball hit", shot.first_ball_hit or "none", first),
+        Row("pocketed", listed(texts) if texts else "none", "the cue ball too" if shot.is_cue_ball_pocketed else ""),
+        Row("cushions of the cue ball", counts[0], "before and after that first contact"),
+        Row("cushions of all balls", counts[1]),
+        Row("balls to a cushion", listed(shot.balls_to_cushion) if shot.balls_to_cushion else "none", "after it"),
+    ]
+    return [*rows, Row("off the table", listed(shot.off_table))] if shot.off_table else rows
+
+
+def _before_and_after(shot: ShotResult) -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
+    return [
+        (shot.cushions_before, shot.cushions_after),
+        (shot.all_cushions_before, shot.all_cushions_after),
+    ]
 
 
 def step_rows(run: Run) -> list[Row]:

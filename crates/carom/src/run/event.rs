@@ -80,6 +80,25 @@ impl Kind {
         }
     }
 
+    /// Whether it can happen to balls on a cloth, or else to discs.
+    pub fn happens(self, on_cloth: bool) -> bool {
+        match self {
+            Self::BallBall | Self::BallCushion => true,
+            Self::Hold | Self::Release => !on_cloth,
+            Self::CueBall
+            | Self::Miscue
+            | Self::SlideToRoll
+            | Self::SlideToSpin
+            | Self::SlideToRest
+            | Self::RollToSpin
+            | Self::RollToRest
+            | Self::SpinToRest
+            | Self::BallCloth
+            | Self::BallPocket
+            | Self::OffTable => on_cloth,
+        }
+    }
+
     /// The kind of that name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
