@@ -8,6 +8,7 @@
 //! signs of cut angles are pooltool's.
 
 mod ghost;
+mod goal;
 mod obstacle;
 mod pot;
 mod scene;

@@ -59,6 +59,16 @@ impl Obstacle {
         round.chain(straight).collect()
     }
 
+    /// The points of the line through a segment where a centre just touches it.
+    pub fn meetings_with_line(&self, line: &Segment<f64>) -> Vec<Vec2<f64>> {
+        let round = self.circles().into_iter().flat_map(|own| own.meetings_with_line(line, 0.0));
+        let straight = match &self.core {
+            Core::Piece(Piece::Line(own)) => lines_meet(line, own, self.reach),
+            _ => None,
+        };
+        round.chain(straight).collect()
+    }
+
     /// The circles of which the places of a centre that touches it are made; of a straight cushion those around its ends.
     fn circles(&self) -> Vec<Circle> {
         let around = |center| Circle { center, radius: self.reach };
@@ -126,6 +136,13 @@ impl Circle {
         let half = (self.radius.squared() - (foot - self.center).norm_squared()).sqrt();
         on_both_sides(foot, unit, half)
     }
+}
+
+/// Where a line meets another that lies at a distance to the left of a third.
+fn lines_meet(line: &Segment<f64>, other: &Segment<f64>, left: f64) -> Option<Vec2<f64>> {
+    let start = other.start + other.along().unit().left() * left;
+    let part = (start - line.start).cross(other.along()) / line.along().cross(other.along());
+    part.is_finite().then(|| line.start + line.along() * part)
 }
 
 fn on_both_sides(foot: Vec2<f64>, unit: Vec2<f64>, half: f64) -> Vec<Vec2<f64>> {

@@ -64,7 +64,8 @@ impl Scene {
     pub(super) fn pocket(&self, id: &str) -> Result<&Pocket<f64>, Problem> {
         let known = || names(self.table.pockets.iter().map(|pocket| pocket.id.as_str()));
         let found = self.table.pockets.iter().find(|pocket| pocket.id == id);
-        found.ok_or_else(|| Problem::new("pocket", format!("there is no pocket \"{id}\"; known: {}", known())))
+        found
+            .ok_or_else(|| Problem::new("pocket", format!("there is no pocket \"{id}\"; known: {}", known())))
     }
 
     /// Where the centre of a ball is, as seen from above.

@@ -104,9 +104,11 @@ impl Room {
         let Scene { table, balls, .. } = Scene::new(scenario, None)?;
         let cue_ball = &balls[shot.ball];
         let rails = table.outlines.iter().map(Thing::rail);
-        let others = balls.iter().enumerate().filter(|(place, _)| *place != shot.ball).map(|(_, ball)| {
-            Thing::Ball { id: ball.id.clone(), center: ball.center, radius: ball.radius }
-        });
+        let others = balls
+            .iter()
+            .enumerate()
+            .filter(|(place, _)| *place != shot.ball)
+            .map(|(_, ball)| Thing::Ball { id: ball.id.clone(), center: ball.center, radius: ball.radius });
         Ok(Self {
             cue: expanded.cue.start(&mut |_, value| value),
             shot,
@@ -121,7 +123,9 @@ impl Room {
         let at = self.met_at(thing, elevation_deg)?;
         let (kind, id) = match thing {
             Thing::Ball { id, .. } => ("ball", Some(id.clone())),
-            Thing::Rail { pieces, ids } => ("cushion", nearest(pieces, at.plan()).map(|place| ids[place].clone())),
+            Thing::Rail { pieces, ids } => {
+                ("cushion", nearest(pieces, at.plan()).map(|place| ids[place].clone()))
+            }
             Thing::Cloth => ("cloth", None),
         };
         Some(Obstruction { kind, id, clear_from_deg: self.clear_from(thing, elevation_deg) })
@@ -209,7 +213,10 @@ impl Stick {
     }
 
     fn meets_cloth(&self) -> Option<Vec3<f64>> {
-        [0.0, self.length].into_iter().find(|part| self.at(*part).z < self.radius_at(*part)).map(|part| self.at(part))
+        [0.0, self.length]
+            .into_iter()
+            .find(|part| self.at(*part).z < self.radius_at(*part))
+            .map(|part| self.at(part))
     }
 }
 

@@ -23,7 +23,10 @@ pub fn clearance(path: &Segment<f64>, piece: &Piece<f64>) -> f64 {
         // Where both points lie inside, the line between them runs through the centre, square to the path.
         Piece::Arc(arc) => piece.foot(line.foot(arc.center).point).distance,
     };
-    from_path.into_iter().chain(from_piece).fold(inside, |least, distance| if distance < least { distance } else { least })
+    from_path
+        .into_iter()
+        .chain(from_piece)
+        .fold(inside, |least, distance| if distance < least { distance } else { least })
 }
 
 fn lines_cross(a: &Segment<f64>, b: &Segment<f64>) -> bool {
@@ -39,9 +42,9 @@ fn line_crosses_arc(line: &Segment<f64>, arc: &Arc<f64>) -> bool {
     let off = unit.cross(arc.center - line.start);
     // Half the chord; not a number, which is in no range, where the line misses the circle.
     let half = (arc.radius.squared() - off.squared()).sqrt();
-    [middle - half, middle + half].into_iter().any(|part| {
-        (0.0..=length).contains(&part) && arc.spans(line.start + unit * part - arc.center, 0.0)
-    })
+    [middle - half, middle + half]
+        .into_iter()
+        .any(|part| (0.0..=length).contains(&part) && arc.spans(line.start + unit * part - arc.center, 0.0))
 }
 
 #[cfg(test)]
