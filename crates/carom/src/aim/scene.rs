@@ -62,10 +62,7 @@ impl Scene {
     }
 
     pub(super) fn pocket(&self, id: &str) -> Result<&Pocket<f64>, Problem> {
-        let known = || names(self.table.pockets.iter().map(|pocket| pocket.id.as_str()));
-        let found = self.table.pockets.iter().find(|pocket| pocket.id == id);
-        found
-            .ok_or_else(|| Problem::new("pocket", format!("there is no pocket \"{id}\"; known: {}", known())))
+        pocket_of(&self.table, id)
     }
 
     /// Where the centre of a ball is, as seen from above.
@@ -102,13 +99,21 @@ impl Scene {
     }
 }
 
-/// Where one aims to pot a ball: half-way between the horn tips of the pocket, or at the middle of a bare hole.
+/// Where one aims to pot a ball into a pocket of a checked scenario: half-way between its horn tips, or at the middle of a
+/// bare hole.
 ///
 /// # Errors
 ///
 /// When there is no such pocket.
-pub fn aiming_point(scene: &Scene, pocket: &str) -> Result<[f64; 2], Problem> {
-    Ok(scene.pocket(pocket)?.aiming_point().to_f64())
+pub fn aiming_point(scenario: &Scenario, pocket: &str) -> Result<[f64; 2], Problem> {
+    let table = scenario.expanded().table.layout::<f64>(&mut |_, value| value);
+    Ok(pocket_of(&table, pocket)?.aiming_point().to_f64())
+}
+
+fn pocket_of<'a>(table: &'a Table<f64>, id: &str) -> Result<&'a Pocket<f64>, Problem> {
+    let known = || names(table.pockets.iter().map(|pocket| pocket.id.as_str()));
+    let found = table.pockets.iter().find(|pocket| pocket.id == id);
+    found.ok_or_else(|| Problem::new("pocket", format!("there is no pocket \"{id}\"; known: {}", known())))
 }
 
 fn place_of(balls: &[Lying], place: &str, id: &str) -> Result<usize, Problem> {

@@ -45,10 +45,11 @@ fn centres_at_contact_are_as_far_apart_as_the_balls_say() {
 #[test]
 fn the_ghost_lies_behind_the_ball_on_the_line_to_the_mouth() {
     let balls = [ball("cue", [0.635, 0.6], ""), ball("1", [0.9, 1.27], "")].concat();
-    let scene = Scene::new(&scenario(&on_pool_table(&balls, "")), None).unwrap();
-    assert_eq!(aiming_point(&scene, "rc"), Ok([1.27, 1.27]));
+    let scenario = scenario(&on_pool_table(&balls, ""));
+    let scene = Scene::new(&scenario, None).unwrap();
+    assert_eq!(aiming_point(&scenario, "rc"), Ok([1.27, 1.27]));
     let to_corner = 0.1159 / 8.0_f64.sqrt();
-    let [x, y] = aiming_point(&scene, "rt").unwrap();
+    let [x, y] = aiming_point(&scenario, "rt").unwrap();
     assert!(is_near(x, 1.27 - to_corner) && is_near(y, 2.54 - to_corner));
     let ghost = ghost_ball(&scene, "1", "rc").unwrap();
     assert!(is_near(ghost.center[0], 0.9 - 2.0 * POOL) && is_near(ghost.center[1], 1.27));
@@ -63,8 +64,7 @@ fn a_bare_hole_is_aimed_at_in_its_middle() {
         "physics.flight.law = 'cloth'\ntable = {{ shape = 'rectangle', width = 1, length = 2, pockets = [{{ id = 'p', center = [0.5, 2], radius = 0.1 }}] }}\n{}",
         ball("white", [0.5, 0.5], "radius = 0.03")
     );
-    let scene = Scene::new(&scenario(&text), Some("white")).unwrap();
-    assert_eq!(aiming_point(&scene, "p"), Ok([0.5, 2.0]));
+    assert_eq!(aiming_point(&scenario(&text), "p"), Ok([0.5, 2.0]));
 }
 
 #[test]
@@ -95,7 +95,7 @@ fn what_cannot_be_aimed_at_is_said() {
     );
     assert!(at_point(&scene, [f64::NAN, 0.5]).is_err());
     assert_eq!(
-        message(aiming_point(&scene, "top").unwrap_err()),
+        message(aiming_point(&scenario, "top").unwrap_err()),
         "pocket: there is no pocket \"top\"; known: lb, rb, rc, rt, lt, lc"
     );
     let behind = message(ghost_ball(&scene, "1", "lb").unwrap_err());

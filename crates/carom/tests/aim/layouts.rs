@@ -21,7 +21,7 @@ pub fn ball(id: &str, [x, y]: [f64; 2], more: &str) -> String {
 /// balls and a shot.
 pub fn on_pool_table(balls: &str, shot: &str) -> String {
     format!(
-        "record = 'events'\nmax_events = 2000\ntable.preset = 'pool_9ft'\nphysics.ball_ball.law = 'elastic'\n\
+        "record = 'events'\nmax_events = 400\ntable.preset = 'pool_9ft'\nphysics.ball_ball.law = 'elastic'\n\
          physics.ball_cushion = {{ law = 'restitution', normal = 0.1, tangential = 1 }}\nphysics.flight = {{ law = 'cloth', air = false }}\n\
          ball_defaults.rolling_friction = 1e-9\ncue.end_mass = 0\n{balls}\n{shot}"
     )

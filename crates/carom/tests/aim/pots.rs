@@ -114,7 +114,7 @@ fn along_a_rail_there_is_room_for_as_much_as_the_ball_lies_off_it() {
     };
     assert!(open(0.0).is_none_or(|pot| pot.precision_deg() < 1e-6), "no more than round-off");
     for off in [1e-4, 1e-3] {
-        let [right, left] = open(off).unwrap().object_window_deg;
+        let [left, right] = open(off).unwrap().object_window_deg;
         // To the right the ghost touches the rail; to the left the ball does, where it ends and the jaw begins.
         let ghost = (off / (2.0 * POOL)).asin().to_degrees();
         assert!((right - (90.0 - ghost)).abs() < 1e-6, "{right}");
