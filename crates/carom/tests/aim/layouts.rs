@@ -47,9 +47,13 @@ pub fn places(random: &mut Random, count: usize) -> Vec<[f64; 2]> {
     places
 }
 
-/// A layout of the cue ball and the balls 1, 2, ...
+/// A layout of the cue ball and the balls 1, 2, ..., every other one of which is smaller.
 pub fn random_balls(seed: u64, count: usize) -> String {
     let places = places(&mut Random::new(seed, "aim"), count);
     let id = |k: usize| if k == 0 { "cue".to_owned() } else { k.to_string() };
-    places.into_iter().enumerate().map(|(k, place)| ball(&id(k), place, "")).collect()
+    places
+        .into_iter()
+        .enumerate()
+        .map(|(k, place)| ball(&id(k), place, if k % 2 == 0 { "" } else { "radius = 0.025" }))
+        .collect()
 }
