@@ -260,7 +260,7 @@ def open_pots(scenario: Scenario, *, cue_ball: str | None = None) -> list[Pot]:
     >>> scenario = carom.Scenario.from_dict({"table": {"preset": "pool_9ft"}, "balls": [
     ...     {"id": "cue", "position": [0.635, 0.6]}, {"id": "1", "position": [0.9, 1.27]}]})
     >>> [(pot.pocket, round(pot.cut_deg), round(pot.precision_deg, 2)) for pot in aim.open_pots(scenario)]
-    [('rc', -73, 0.8), ('rt', 3, 0.28), ('lt', 55, 0.12)]
+    [('rc', -72, 0.27), ('rt', 7, 0.19), ('lt', 60, 0.09)]
     """
     return [_pot(found) for found in json.loads(_engine.open_pots(scenario._native, cue_ball))]
 
