@@ -1,7 +1,7 @@
 """Aiming: directions, ghost balls, open pots, and the room that the cue stick has.
 
-Plain geometry of a scenario as it lies before the shot: the cue ball goes straight, without squirt, swerve or throw, and
-the ball that it hits leaves along the line of centres. Directions are in degrees from the x axis towards the y axis, as
+Plain geometry of a scenario as it lies before the shot: the cue ball goes straight, without squirt, swerve or throw,
+and the ball that it hits leaves along the line of centres. Directions are in degrees from the x axis towards the y axis, as
 ``phi_deg`` of a shot is; lengths are in the scenario's own unit. Without `cue_ball` the cue ball is that of the
 scenario's shot, or else the ball ``"cue"``.
 
@@ -190,7 +190,7 @@ def at_pot(scenario: Scenario, ball: str, pocket: str, *, cue_ball: str | None =
 
 
 def aiming_point(scenario: Scenario, pocket: str) -> tuple[float, float]:
-    """Give the point at which one looks to pot a ball: half-way between the pocket's horn tips, or the middle of a bare hole.
+    """Give the point to aim a ball at: half-way between the pocket's horn tips, or the middle of a bare hole.
 
     Raises
     ------
@@ -228,10 +228,11 @@ def pot(scenario: Scenario, ball: str, pocket: str, *, cue_ball: str | None = No
     """Give a straight pot, with the window of directions in which it succeeds.
 
     A pot is open where the cue ball comes to the ball, and the ball from there into the pocket, and neither touches
-    anything on its way: no other ball, no cushion, no jaw, no other hole. A ball is in the pocket when its centre comes
-    between the horn tips, or over the hole; of a ball that lies behind the tips already, over the hole. Whether it then
-    drops or is thrown out by a facing depends on its speed, its spin and the rubber, and is left to a run. Another ball
-    that hangs behind the tips closes the pocket. Of several windows the widest counts.
+    anything on its way: no other ball, no cushion, no other hole. A ball is in the pocket when its centre is between the
+    horn tips and its straight line goes on past both jaws without touching them, or when it is over the hole; of a ball
+    that lies behind the tips already, over the hole. It may still touch a facing. Whether that throws it out depends on
+    its speed, its spin and the rubber, and is left to a run. Another ball that hangs behind the tips closes the pocket.
+    Of several windows the widest counts.
 
     Parameters
     ----------
@@ -310,4 +311,5 @@ def least_elevation(scenario: Scenario) -> float | None:
 
 
 def _pot(found: dict[str, Any]) -> Pot:
-    return Pot(**{key: tuple(value) if isinstance(value, list) else value for key, value in found.items()})
+    pairs = {key: tuple(value) for key, value in found.items() if isinstance(value, list)}
+    return Pot(**{**found, **pairs})

@@ -18,6 +18,13 @@ impl Goal {
         Self { hole: Circle { center: pocket.center, radius: pocket.radius }, mouth }
     }
 
+    /// How far along a ray from `start` a centre has passed both jaws, or is over the hole; none where the ray passes the
+    /// pocket.
+    pub fn passage(&self, start: Vec2<f64>, unit: Vec2<f64>) -> Option<f64> {
+        let way = self.entry(start, unit)? + self.mouth.map_or(0.0, |mouth| mouth.along().norm());
+        Some(self.hole.entry(start, unit).map_or(way, |hole| if hole < way { hole } else { way }))
+    }
+
     /// How far along a ray from `start` a centre is in the pocket; none where the ray passes it.
     pub fn entry(&self, start: Vec2<f64>, unit: Vec2<f64>) -> Option<f64> {
         let into_hole = self.hole.entry(start, unit);

@@ -1,10 +1,10 @@
 //! Which balls can be potted straight, and how well one has to aim.
 //!
 //! A pot is open where the cue ball comes to the ball, and the ball from there into the pocket, and neither touches anything
-//! on its way: no other ball, no cushion, no jaw, no other hole. A ball is in the pocket when its centre comes between the
-//! horn tips, or over the hole; of a ball that lies behind the tips already, over the hole. (Between them it may still touch
-//! a facing. Whether that throws it out depends on its speed, its spin and the rubber, and is left to a run.) Another ball
-//! that hangs behind the tips closes the pocket.
+//! on its way: no other ball, no cushion, no other hole. A ball is in the pocket when its centre is between the horn tips and
+//! its straight line goes on past both jaws without touching them, or when it is over the hole; of a ball that lies behind
+//! the tips already, over the hole. (It may still touch a facing, which leads it inwards. Whether that throws it out depends
+//! on its speed, its spin and the rubber, and is left to a run.) Another ball that hangs behind the tips closes the pocket.
 //!
 //! The directions of the cue ball for which that is so are a window, and the pot is aimed at its middle; of several the
 //! widest counts. A window ends where a path just touches something: at a tangent from one of the two balls to a ball, a
@@ -101,6 +101,8 @@ fn open_pot(scene: &Scene, ball: usize, pocket: &Pocket<f64>) -> Option<Pot> {
 struct Path {
     of_cue: Segment<f64>,
     of_ball: Segment<f64>,
+    /// The same until it has passed the jaws.
+    past_jaws: Segment<f64>,
 }
 
 /// The cue ball, the ball that it hits, and the pocket, each with what is in the way.
@@ -111,6 +113,7 @@ struct Shot {
     goal: Goal,
     in_way_of_cue: Vec<Obstacle>,
     in_way_of_ball: Vec<Obstacle>,
+    jaws: Vec<Obstacle>,
     tolerance: f64,
 }
 
@@ -132,6 +135,7 @@ impl Shot {
             goal,
             in_way_of_cue: scene.obstacles(scene.cue_ball, pair, None),
             in_way_of_ball: scene.obstacles(ball, pair, Some(&pocket.id)),
+            jaws: scene.jaws(ball, &pocket.id),
             tolerance: scene.tolerance(ball) + scene.tolerance(scene.cue_ball),
         })
     }
@@ -142,7 +146,9 @@ impl Shot {
             obstacles.iter().all(|obstacle| obstacle.lets_pass(path, self.tolerance))
         };
         self.path(cue_deg).is_some_and(|path| {
-            is_free(&self.in_way_of_cue, &path.of_cue) && is_free(&self.in_way_of_ball, &path.of_ball)
+            is_free(&self.in_way_of_cue, &path.of_cue)
+                && is_free(&self.in_way_of_ball, &path.of_ball)
+                && is_free(&self.jaws, &path.past_jaws)
         })
     }
 
@@ -153,8 +159,12 @@ impl Shot {
         let ghost = self.cue_ball + unit * self.ball.entry(self.cue_ball, unit)?;
         let start = self.ball.center;
         let along = (start - ghost).unit();
-        let end = start + along * self.goal.entry(start, along)?;
-        Some(Path { of_cue: Segment { start: self.cue_ball, end: ghost }, of_ball: Segment { start, end } })
+        let way = |length: f64| Segment { start, end: start + along * length };
+        Some(Path {
+            of_cue: Segment { start: self.cue_ball, end: ghost },
+            of_ball: way(self.goal.entry(start, along)?),
+            past_jaws: way(self.goal.passage(start, along)?),
+        })
     }
 
     /// The direction that the ball takes; at the ends of the window, where it may be just missed, that at a right angle.

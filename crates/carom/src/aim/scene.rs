@@ -1,7 +1,7 @@
 //! A scenario as one sees it before a shot: who lies where, and what is in the way of whom.
 
 use super::obstacle::Obstacle;
-use crate::geometry::{Piece, Vec2, Vec3};
+use crate::geometry::{Vec2, Vec3};
 use crate::model::{ContactTolerance, Pocket, Table};
 use crate::scalar::Scalar;
 use crate::scenario::{Problem, Scenario};
@@ -23,7 +23,6 @@ pub struct Scene {
     pub(super) table: Table<f64>,
     pub(super) balls: Vec<Lying>,
     pub(super) cue_ball: usize,
-    pieces: Vec<Piece<f64>>,
     tolerance: ContactTolerance<f64>,
 }
 
@@ -47,9 +46,8 @@ impl Scene {
         let name = cue_ball.or(of_shot).unwrap_or("cue");
         let cue_ball = place_of(&balls, "cue_ball", name)?;
         let table = scenario.table.layout::<f64>(&mut |_, value| value);
-        let pieces = table.cushions().map(|cushion| cushion.piece).collect();
         let tolerance = ContactTolerance::new(&table);
-        Ok(Self { table, balls, cue_ball, pieces, tolerance })
+        Ok(Self { table, balls, cue_ball, tolerance })
     }
 
     /// The place of the ball that is to be hit.
@@ -83,11 +81,23 @@ impl Scene {
         2.0 * self.tolerance.of(2.0 * self.balls[ball].radius)
     }
 
+    /// The jaws of a pocket, as a ball meets them.
+    pub(super) fn jaws(&self, ball: usize, pocket: &str) -> Vec<Obstacle> {
+        let prefix = format!("{pocket}.jaw_");
+        let jaws = self.table.cushions().filter(|cushion| cushion.id.starts_with(&prefix));
+        jaws.map(|cushion| Obstacle::cushion(cushion.piece, self.reach(ball))).collect()
+    }
+
+    /// How near the centre of a ball comes to a nose, as seen from above, when it touches it.
+    fn reach(&self, ball: usize) -> f64 {
+        let Lying { radius, center, .. } = self.balls[ball];
+        self.table.nose.reach(radius, if center.z > 0.0 { center.z } else { radius })
+    }
+
     /// All that keeps a ball from going where it likes, without these balls and this pocket.
     pub(super) fn obstacles(&self, ball: usize, without: [usize; 2], pocket: Option<&str>) -> Vec<Obstacle> {
-        let Lying { radius, center, .. } = self.balls[ball];
-        let nose = self.table.nose.reach(radius, if center.z > 0.0 { center.z } else { radius });
-        let cushions = self.pieces.iter().map(|piece| Obstacle::cushion(*piece, nose));
+        let reach = self.reach(ball);
+        let cushions = self.table.cushions().map(|cushion| Obstacle::cushion(cushion.piece, reach));
         let others = (0..self.balls.len()).filter(|other| !without.contains(other));
         let balls = others.filter_map(|other| {
             let reach = self.contact_distance(ball, other)?;

@@ -2,6 +2,7 @@
 
 use crate::layouts::{POOL, ball, on_pool_table, random_balls, scenario};
 use carom::aim::{Pot, Scene, at_ball, open_pots, pot};
+use carom::geometry::{Segment, clearance};
 use carom::run::{Event, Kind, OnCloth, Run};
 use carom::scenario::ClothSystem;
 use carom::simulate::simulate_until;
@@ -146,9 +147,11 @@ fn outcome(balls: &str, ball: &str, direction_deg: f64) -> Outcome {
     let collisions = [Kind::BallBall, Kind::BallCushion, Kind::BallPocket];
     let mut events = run.log.events.iter().filter(|event| collisions.contains(&event.kind));
     let is_of_ball = |event: &Event<f64>| event.ball_a == ball || event.ball_b == Some(ball);
-    if !events.next().is_some_and(|hit| is_of_ball(hit) && hit.kind == Kind::BallBall) {
+    let Some(hit) = events.next().filter(|hit| is_of_ball(hit) && hit.kind == Kind::BallBall) else {
         return Outcome::Touched;
-    }
+    };
+    // Of unequal balls it is the shadow of one that is not level.
+    let normal = if hit.ball_a == ball { -hit.normal } else { hit.normal }.unit();
     let mut of_ball = events.filter(|event| is_of_ball(event));
     let Some(next) = of_ball.next() else { return Outcome::Disturbed };
     let Some(cushion) = next.cushion else { return Outcome::Disturbed };
@@ -160,7 +163,18 @@ fn outcome(balls: &str, ball: &str, direction_deg: f64) -> Outcome {
     let center = next.point + next.normal * system.noses[ball as usize].reach;
     let is_before = |point| (to - from).cross(point - from) > 0.0;
     let start = system.starts[ball as usize].0.plan();
-    if next.kind == Kind::BallCushion && (is_before(center) || !is_before(start)) {
+    if next.kind == Kind::BallCushion && (name.contains(".jaw_") || is_before(center) || !is_before(start)) {
+        return Outcome::Touched;
+    }
+    // Its line, as if there were no facings, touches no jaw before the hole.
+    let to_hole = place.center - start;
+    let (ahead, off) = (to_hole.dot(normal), to_hole.cross(normal));
+    let past_mouth = ((from + to) * 0.5 - start).norm() + (to - from).norm();
+    let before_hole = ahead - (place.radius.powi(2) - off.powi(2)).sqrt();
+    let length = if before_hole < past_mouth { before_hole } else { past_mouth };
+    let line = Segment { start, end: start + normal * length };
+    let jaws = table.cushions().filter(|cushion| cushion.id.starts_with(&format!("{pocket}.jaw_")));
+    if jaws.map(|jaw| clearance(&line, &jaw.piece)).any(|free| free < system.noses[ball as usize].reach) {
         return Outcome::Touched;
     }
     let is_drop = |event: &Event<f64>| event.kind == Kind::BallPocket;
