@@ -1,9 +1,9 @@
 """Aiming: directions, ghost balls, open pots, and the room that the cue stick has.
 
 Plain geometry of a scenario as it lies before the shot: the cue ball goes straight, without squirt, swerve or throw,
-and the ball that it hits leaves along the line of centres. Directions are in degrees from the x axis towards the y axis, as
-``phi_deg`` of a shot is; lengths are in the scenario's own unit. Without `cue_ball` the cue ball is that of the
-scenario's shot, or else the ball ``"cue"``.
+and the ball that it hits leaves along the line of centres. Directions are in degrees from the x axis towards the y
+axis, as ``phi_deg`` of a shot is; lengths are in the scenario's own unit. Without `cue_ball` the cue ball is that of
+the scenario's shot, or else the ball ``"cue"``.
 
 References
 ----------
@@ -228,11 +228,11 @@ def pot(scenario: Scenario, ball: str, pocket: str, *, cue_ball: str | None = No
     """Give a straight pot, with the window of directions in which it succeeds.
 
     A pot is open where the cue ball comes to the ball, and the ball from there into the pocket, and neither touches
-    anything on its way: no other ball, no cushion, no other hole. A ball is in the pocket when its centre is between the
-    horn tips and its straight line goes on past both jaws without touching them, or when it is over the hole; of a ball
-    that lies behind the tips already, over the hole. It may still touch a facing. Whether that throws it out depends on
-    its speed, its spin and the rubber, and is left to a run. Another ball that hangs behind the tips closes the pocket.
-    Of several windows the widest counts.
+    anything on its way: no other ball, no cushion, no other hole. A ball is in the pocket when its centre is between
+    the horn tips and its straight line goes on past both jaws without touching them, or when it is over the hole; of a
+    ball that lies behind the tips already, over the hole. It may still touch a facing. Whether that throws it out
+    depends on its speed, its spin and the rubber, and is left to a run. Another ball that hangs behind the tips closes
+    the pocket. Of several windows the widest counts.
 
     Parameters
     ----------
@@ -261,7 +261,7 @@ def open_pots(scenario: Scenario, *, cue_ball: str | None = None) -> list[Pot]:
     >>> scenario = carom.Scenario.from_dict({"table": {"preset": "pool_9ft"}, "balls": [
     ...     {"id": "cue", "position": [0.635, 0.6]}, {"id": "1", "position": [0.9, 1.27]}]})
     >>> [(pot.pocket, round(pot.cut_deg), round(pot.precision_deg, 2)) for pot in aim.open_pots(scenario)]
-    [('rc', -72, 0.27), ('rt', 7, 0.19), ('lt', 60, 0.09)]
+    [('rc', -72, 0.26), ('rt', 7, 0.16), ('lt', 61, 0.09)]
     """
     return [_pot(found) for found in json.loads(_engine.open_pots(scenario._native, cue_ball))]
 
