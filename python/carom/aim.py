@@ -5,10 +5,8 @@ and the ball that it hits leaves along the line of centres. Directions are in de
 axis, as ``phi_deg`` of a shot is; lengths are in the scenario's own unit. Without `cue_ball` the cue ball is that of
 the scenario's shot, or else the ball ``"cue"``.
 
-References
-----------
-D. G. Alciatore, The Illustrated Principles of Pool and Billiards, Sterling, 2004, for the ghost ball. The signs of cut
-angles are those of pooltool's ``aim.at_ball``.
+Source: D. G. Alciatore, The Illustrated Principles of Pool and Billiards, Sterling, 2004, for the ghost ball. The signs
+of cut angles are those of pooltool's ``aim.at_ball``.
 """
 
 from __future__ import annotations
