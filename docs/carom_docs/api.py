@@ -34,7 +34,12 @@ CONSTANTS = {
 TITLES = {"library": "Ready-made scenarios, schema, versions"}
 """Titles of pages that hold more than their module."""
 
-FURTHER = {"figures": "carom.figures", "animation": "carom.animation", "pooltool": "carom.pooltool"}
+FURTHER = {
+    "aim": "carom.aim",
+    "figures": "carom.figures",
+    "animation": "carom.animation",
+    "pooltool": "carom.pooltool",
+}
 """Modules whose names are public although the package itself does not give them."""
 
 
@@ -108,9 +113,9 @@ def _module_page(module: ModuleType) -> str:
         for name, value in vars(module).items()
         if not name.startswith("_") and inspect.isfunction(value) and value.__module__ == module.__name__
     ]
-    functions = [name for name in public if callable(getattr(module, name))]
+    things = [name for name in public if callable(getattr(module, name))]
     intro = f".. automodule:: {module.__name__}\n   :no-members:\n   :no-index:\n"
-    blocks = [intro, *(f".. autofunction:: {name}\n" for name in functions)]
+    blocks = [intro, *(_directive(name, getattr(module, name)) for name in things)]
     return _page(_title(module.__name__.rpartition(".")[2]), module.__name__, blocks)
 
 

@@ -1,7 +1,7 @@
 //! Errors of the engine as exceptions of the package.
 
 use carom::run::{QueryError, RunFileError};
-use carom::scenario::{Scenario, ScenarioError};
+use carom::scenario::{Problem, Scenario, ScenarioError};
 use pyo3::prelude::*;
 
 mod exceptions {
@@ -20,6 +20,11 @@ pub fn scenario_error(error: ScenarioError) -> PyErr {
 /// The exception for a problem at one place.
 pub fn problem(place: &str, message: &str) -> PyErr {
     exceptions::ScenarioError::new_err((vec![(place.to_owned(), message.to_owned())],))
+}
+
+/// The exception for something that cannot be aimed at.
+pub fn aim_problem(problem: Problem) -> PyErr {
+    scenario_error(problem.into())
 }
 
 /// The exception for a broken invariant, with the scenario to replay the run.

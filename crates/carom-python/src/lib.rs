@@ -1,5 +1,6 @@
 //! The Python binding: conversions, and nothing else.
 
+mod aim;
 mod bundled;
 mod columns;
 mod errors;
@@ -19,6 +20,11 @@ mod _engine {
     use carom::run::Kind;
     use pyo3::prelude::*;
 
+    #[pymodule_export]
+    use crate::aim::{
+        aim_at_ball, aim_at_point, aiming_point, ghost_ball, least_elevation_deg, obstructions, open_pot,
+        open_pots,
+    };
     #[pymodule_export]
     use crate::bundled::{bundled_scenarios, presets};
     #[pymodule_export]

@@ -23,6 +23,10 @@ impl Scenario {
     pub fn new(scenario: scenario::Scenario) -> Self {
         Self(scenario)
     }
+
+    pub fn inner(&self) -> &scenario::Scenario {
+        &self.0
+    }
 }
 
 /// The JSON Schema of scenarios, as JSON text.

@@ -1,5 +1,6 @@
 //! How balls move on a table: exact, fast, and the same everywhere.
 
+pub mod aim;
 pub mod detect;
 pub mod engine;
 pub mod flight;

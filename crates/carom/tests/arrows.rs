@@ -13,7 +13,7 @@ const ROWS: [&[&str]; 10] = [
     &["flight"],
     &["detect", "law"],
     &["scenario"],
-    &["run"],
+    &["aim", "run"],
     &["engine", "stepped"],
     &["simulate"],
 ];

@@ -1,6 +1,7 @@
 //! Vectors, line segments and circular arcs in the plane; vectors in space.
 
 mod bounds;
+mod clearance;
 mod distance;
 mod joint;
 mod meeting;
@@ -10,6 +11,7 @@ mod vec3;
 mod vector;
 
 pub use bounds::Bounds;
+pub use clearance::clearance;
 pub use distance::{Foot, FootAt};
 pub use joint::turn;
 pub use meeting::{Meeting, MeetingKind, meetings};

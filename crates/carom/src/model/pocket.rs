@@ -12,6 +12,8 @@ pub struct Pocket<S> {
     pub center: Vec2<S>,
     /// Radius of the circle.
     pub radius: S,
+    /// The horn tips of its mouth, before and after it in the direction of the outline; none for a bare hole.
+    pub tips: Option<[Vec2<S>; 2]>,
 }
 
 /// The noses of all cushions: the edges that stick out furthest, which balls touch.
@@ -33,6 +35,11 @@ pub enum NoseContact {
 }
 
 impl<S: Scalar> Pocket<S> {
+    /// Where one aims to pot a ball: half-way between the horn tips; without those the centre of the hole.
+    pub fn aiming_point(&self) -> Vec2<S> {
+        self.tips.map_or(self.center, |[before, after]| (before + after) * S::from_f64(0.5))
+    }
+
     /// Whether a point lies inside the circle.
     pub fn has_inside(&self, point: Vec2<S>) -> bool {
         (point - self.center).norm_squared() < self.radius.squared()

@@ -142,7 +142,8 @@ impl<S: Scalar> PocketTable<S> {
         let before = self.horn(nose - arriving * to_tip, arriving, -leaving, turn, &self.corner);
         let after = self.horn(nose + leaving * to_tip, -leaving, arriving, turn, &self.corner);
         let center = nose + (arriving - leaving) * to_center;
-        let pocket = Pocket { id: id.into(), center, radius: self.corner.radius };
+        let tips = Some([before.tip, after.tip]);
+        let pocket = Pocket { id: id.into(), center, radius: self.corner.radius, tips };
         Place { pocket, horns: [before, after], sides, rail }
     }
 
@@ -160,8 +161,9 @@ impl<S: Scalar> PocketTable<S> {
         let turn = direction(self.side.angle_deg);
         let before = self.horn(nose - along * to_tip, along, outward, turn, &self.side);
         let after = self.horn(nose + along * to_tip, -along, outward, turn, &self.side);
-        let pocket =
-            Pocket { id: id.into(), center: nose + outward * self.side.depth, radius: self.side.radius };
+        let center = nose + outward * self.side.depth;
+        let tips = Some([before.tip, after.tip]);
+        let pocket = Pocket { id: id.into(), center, radius: self.side.radius, tips };
         Place { pocket, horns: [before, after], sides, rail }
     }
 

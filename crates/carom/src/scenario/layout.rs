@@ -53,7 +53,7 @@ impl Table {
 fn pocket<S: Scalar>(index: usize, item: &PocketShape, number: Number<'_, S>) -> Pocket<S> {
     let center = vector(&format_args!("table.pockets[{index}].center"), item.center, number);
     let radius = number(&format_args!("table.pockets[{index}].radius"), item.radius);
-    Pocket { id: item.id.clone(), center, radius }
+    Pocket { id: item.id.clone(), center, radius, tips: None }
 }
 
 fn mouth<S: Scalar>(name: &str, item: &MouthShape, number: Number<'_, S>) -> Mouth<S> {

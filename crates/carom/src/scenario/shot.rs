@@ -19,6 +19,12 @@ pub struct CueStart<S> {
     pub restitution: S,
     /// The greatest offset of the contact from the middle, over the ball's radius, at which the tip holds.
     pub miscue_offset: S,
+    /// Length of the stick.
+    pub length: S,
+    /// Radius of the stick at the tip.
+    pub shaft_radius: S,
+    /// Radius of the stick at the butt.
+    pub butt_radius: S,
 }
 
 /// A stroke of the cue.
@@ -62,6 +68,9 @@ impl Cue {
             end_mass: either("end_mass", self.end_mass, Self::POOL.end_mass),
             restitution: either("restitution", self.restitution, Self::POOL.restitution),
             miscue_offset: either("miscue_offset", self.miscue_offset, Self::POOL.miscue_offset),
+            length: either("length", self.length, Self::POOL.length),
+            shaft_radius: either("shaft_radius", self.shaft_radius, Self::POOL.shaft_radius),
+            butt_radius: either("butt_radius", self.butt_radius, Self::POOL.butt_radius),
         }
     }
 }

@@ -102,9 +102,7 @@ impl<S: Scalar> PointContact<S> {
         let rolled = turn * speed / sphere.radius;
         let spin = (left * strike.top - up * strike.left) * rolled; // (2)
         let velocity = self.squirted(sphere, strike.left, ahead * speed);
-        let depth = (S::ONE - strike.offset_squared()).sqrt();
-        let point = left * strike.left + up * strike.top - ahead * depth;
-        CueImpact { twist: Twist { velocity, spin }, impulse: sphere.mass * speed, point }
+        CueImpact { twist: Twist { velocity, spin }, impulse: sphere.mass * speed, point: strike.point() }
     }
 
     /// Whether the tip slips off the ball.
@@ -129,6 +127,18 @@ impl<S: Scalar> Strike<S> {
     /// The square of the offset of the contact, over R².
     pub fn offset_squared(&self) -> S {
         self.left.squared() + self.top.squared()
+    }
+
+    /// The unit vector along the cue, from its butt to its tip.
+    pub fn ahead(&self) -> Vec3<S> {
+        self.axes().ahead
+    }
+
+    /// Where the tip touches, from the centre of the ball, over R.
+    pub fn point(&self) -> Vec3<S> {
+        let Axes { ahead, left, up } = self.axes();
+        let depth = (S::ONE - self.offset_squared()).sqrt();
+        left * self.left + up * self.top - ahead * depth
     }
 
     fn axes(&self) -> Axes<S> {
