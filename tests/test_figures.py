@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 import carom
 from carom import figures
 from carom.colours import PALETTE, ball_colours
-from carom.figures.scene import Scene
 from carom.figures.outline import table_loops
+from carom.figures.scene import Scene
 from carom.figures.table import arrow_scale, draw_table, table_contains
 
 DRAWINGS = [figures.plot_paths, figures.plot_energy, figures.plot_speed, figures.plot_momentum]

@@ -71,9 +71,9 @@ class Aim:
     @classmethod
     def of(cls, values: Mapping[str, Any], radii: Mapping[str, float]) -> Aim | None:
         """Read the shot of a scenario in plain keys, whose balls have these radii; None where there is none."""
-        shot, cue = values.get("shot"), POOL_CUE | values.get("cue", {})
-        ball = shot.get("cue_ball", "cue") if shot else None
-        if shot is None or ball not in radii:
+        shot, cue = values.get("shot", {}), POOL_CUE | values.get("cue", {})
+        ball = str(shot.get("cue_ball", "cue"))
+        if not shot or ball not in radii:
             return None
 
         def either(one: str, other: str) -> float:
@@ -102,5 +102,11 @@ class Aim:
         return np.array([np.cos(angle), np.sin(angle)])
 
 
-POOL_CUE = {"tip_radius": 0.0106045, "miscue_offset": 0.55, "length": 1.4732, "shaft_radius": 0.0065, "butt_radius": 0.02}
+POOL_CUE = {
+    "tip_radius": 0.0106045,
+    "miscue_offset": 0.55,
+    "length": 1.4732,
+    "shaft_radius": 0.0065,
+    "butt_radius": 0.02,
+}
 """What the engine takes for a cue where a scenario does not say; drawn, never computed with."""

@@ -240,7 +240,7 @@ def _draw_ghost_paths(ax: Axes, strip: Strip, time: float) -> None:
     came = strip.run.positions(past)[..., :2]
     goes = strip.run.positions(future)[..., :2]
     fade = 0.6 * (past[1:] - past[0]) / max(time - past[0], 1e-300)
-    for ball, colour in enumerate(map(style.line_colour, strip.scene.colours)):
+    for ball, colour in enumerate(strip.scene.lines):
         if np.ptp(came[:, ball], axis=0).any():
             pieces = np.stack([came[:-1, ball], came[1:, ball]], axis=1)
             colours = [(*colour, alpha) for alpha in fade]

@@ -84,7 +84,7 @@ def draw_rails(ax: Axes, rails: Rails, cloth: Path, pieces: Sequence[Mapping[str
     ax.add_patch(ground)
     _draw_marks(ax, rails)
     holes = [Path.circle(pocket["center"], pocket["radius"]) for pocket in rails.pockets]
-    # A ball falls where its centre comes inside the circle, of which only the part on the table's side of the back is there.
+    # A ball falls where its centre comes inside the circle; what of it lies behind the back of the pocket is not there.
     for patch in _draw_all(ax, holes, facecolor=style.POCKET, edgecolor="none", zorder=0.4):
         patch.set_clip_path(ground)
     backs = [piece_path(piece) for piece in pieces if _is_back(piece)]

@@ -27,8 +27,6 @@ WAYS: dict[int, tuple[str, Any]] = {
     AIRBORNE: ("in the air", (0, (0.9, 1.5))),
 }
 """The words and the dashes of the motions that take a ball somewhere."""
-BRIGHTEST = 0.58
-"""How bright a line is at most: dashes of a white ball are to be seen in print, too."""
 SUNK = 0.8
 """Size of a ball in a pocket, over its own."""
 
@@ -74,9 +72,8 @@ class Travels:
 
 
 def draw_travels(ax: Axes, travels: Travels, *, crowding: float) -> None:
-    """Draw the path of every ball, one line for each of its ways; the more crowded (0 to 1), the thinner and fainter."""
-    colours = [style.line_colour(colour, BRIGHTEST) for colour in travels.scene.colours]
-    for ball, colour in enumerate(colours):
+    """Draw the path of every ball, a line for each of its ways; the more crowded (0 to 1), the thinner and fainter."""
+    for ball, colour in enumerate(travels.scene.lines):
         for code in WAYS:
             stretches = _stretches(travels.motions[:, ball] == code)
             if stretches:
