@@ -91,13 +91,13 @@ def draw_travels(ax: Axes, travels: Travels, *, crowding: float) -> None:
 
 
 def draw_sunk(ax: Axes, travels: Travels) -> None:
-    """Draw the balls in their pockets, a little smaller; those off the table get a mark of their event."""
+    """Draw the balls in their pockets, a little smaller, with rims that show on the dark."""
     scene = travels.scene
     for event, ball in zip(travels.out, travels.fallen, strict=True):
         if event.kind == "ball_pocket":
             x, y = travels.places[-1, ball].tolist()
             radius = SUNK * float(scene.radii[ball])
-            disc = Circle((x, y), radius, facecolor=scene.faces[ball], edgecolor=style.BALL_EDGE, linewidth=0.7)
+            disc = Circle((x, y), radius, facecolor=scene.faces[ball], edgecolor=style.SIGHT, linewidth=0.8)
             disc.set(alpha=0.9, zorder=2.8)
             ax.add_patch(disc)
 
