@@ -220,8 +220,9 @@ def _moving(ax: Axes, strip: Strip, frame: int, positions: NDArray[np.float64]) 
     """Tell which balls have an arrow in a frame; before the cue strikes, none."""
     velocities = strip.run.velocities([strip.times[frame]])[0, :, :2]
     is_struck = strip.event.kind != "cue_ball" or frame >= strip.middle
-    seen = [_is_seen(ax, strip, velocity) for velocity in velocities]
-    return _is_shown(strip.scene, positions) & np.array(seen) & is_struck
+    seen = np.array([_is_seen(ax, strip, velocity) and is_struck for velocity in velocities], dtype=bool)
+    moving: NDArray[np.bool_] = _is_shown(strip.scene, positions) & seen
+    return moving
 
 
 def _is_seen(ax: Axes, strip: Strip, velocity: NDArray[np.float64]) -> bool:
