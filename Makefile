@@ -2,6 +2,7 @@
 
 PYTHON ?= python3
 VENV := .venv
+POOLTOOL := .venv-pooltool
 BIN := $(VENV)/bin
 CARGO := cargo
 TEST_PROFILE := optimised-test
@@ -12,10 +13,10 @@ SCENARIOS := $(wildcard scenarios/*)
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .PHONY: help build run check-engine test test-rust test-python lint lint-rust lint-python format docs licences
-.PHONY: pictures third-party bench digests wheel wheel-check floors clean
+.PHONY: pictures third-party bench bench-pooltool digests wheel wheel-check floors clean
 
 help: ## List these commands
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 build: $(VENV)/.built ## Build the engine and set up .venv with the package and its tools
 
@@ -88,6 +89,9 @@ bench: build ## Measure the engine, the package, and python-billiards beside it
 	$(BIN)/python -m pip install --quiet --group bench
 	$(BIN)/python benches/python.py
 
+bench-pooltool: build $(POOLTOOL)/.built ## Play the same shots with pooltool 0.6.0, in a virtual environment of its own
+	$(BIN)/python benches/pooltool/compare.py
+
 digests: ## Mint the golden digests of the scenarios anew: make digests REASON="..."
 	@$(need_rust)
 	CAROM_MINT_DIGESTS="$(REASON)" $(CARGO) test --locked --profile $(TEST_PROFILE) -p carom --test digests
@@ -109,7 +113,7 @@ floors: wheel ## Run the package's tests with the oldest supported Python packag
 	tests/packaging/floors.sh $(FLOOR_PYTHON) dist
 
 clean: ## Remove everything that was built
-	rm -rf target $(VENV) out dist site docs/pictures docs/reference/api .pytest_cache .ruff_cache .mypy_cache .hypothesis
+	rm -rf target $(VENV) $(POOLTOOL) out dist site docs/pictures docs/reference/api .pytest_cache .ruff_cache .mypy_cache .hypothesis
 	rm -f python/carom/_engine*.so
 	find python tests -name __pycache__ -type d -prune -exec rm -rf {} +
 
@@ -140,4 +144,12 @@ $(VENV)/.tools: pyproject.toml
 $(VENV)/.built: $(VENV)/.tools $(RUST) Cargo.toml Cargo.lock $(SCENARIOS)
 	@$(need_rust)
 	VIRTUAL_ENV="$(CURDIR)/$(VENV)" $(BIN)/maturin develop --release --locked --extras all
+	@touch $@
+
+# pooltool pins a panda3d that no registry has, so nothing here is resolved: the file names every package.
+$(POOLTOOL)/.built: benches/pooltool/requirements.txt
+	@$(need_python)
+	rm -rf $(POOLTOOL)
+	$(PYTHON) -m venv $(POOLTOOL)
+	$(POOLTOOL)/bin/python -m pip install --quiet --no-deps --requirement $<
 	@touch $@

@@ -17,7 +17,6 @@ from PIL import Image
 import carom
 from carom import figures
 from carom.figures.beside import TIP
-from carom.figures.cloth import AIRBORNE, POCKETED, ROLLING, SLIDING, spins_and_motions
 from carom.figures.rails import Rails
 from carom.figures.scene import Scene
 from carom.figures.travels import WAYS, Travels
@@ -90,18 +89,15 @@ def words_of(ax: Axes) -> list[str]:
     return [text.get_text() for text in notes_of(ax).texts]
 
 
-def lines_by(ax: Axes, code: int) -> list[Line2D]:
-    sample = Line2D([], [], linestyle=WAYS[code][1], linewidth=1.0)
-    return [line for line in ax.lines if line.get_linestyle() == sample.get_linestyle() and dashes(line) == code]
+def lines_by(ax: Axes, way: str) -> list[Line2D]:
+    """The lines of paths that stand for a motion: those with the dashes of its sample."""
 
+    def has_its_dashes(line: Line2D) -> bool:
+        sample = Line2D([], [], linestyle=WAYS[way][1], linewidth=line.get_linewidth())
+        looks = [(each.get_linestyle(), each._dash_pattern) for each in (line, sample)]  # type: ignore[attr-defined]
+        return bool(looks[0] == looks[1])
 
-def dashes(line: Line2D) -> int | None:
-    """The motion that a line of a path stands for."""
-    for code, (_, look) in WAYS.items():
-        sample = Line2D([], [], linestyle=look, linewidth=line.get_linewidth())
-        if sample._dash_pattern == line._dash_pattern:  # type: ignore[attr-defined]
-            return code
-    return None
+    return list(filter(has_its_dashes, ax.lines))
 
 
 def places_of(lines: list[Line2D]) -> NDArray[np.float64]:
@@ -190,17 +186,17 @@ def test_discs_have_no_rails(midterm: carom.Scenario) -> None:
 def test_ways_of_moving_are_told_apart(jump: carom.Run) -> None:
     ax = jump.plot_paths()
     times = np.linspace(0.0, jump.end_time, 400)
-    _, motions = spins_and_motions(jump, times)
-    for code in WAYS:
-        met = bool(np.any(motions == code))
-        assert bool(lines_by(ax, code)) == met
-        assert (WAYS[code][0] in words_of(ax)) == met
-    assert lines_by(ax, AIRBORNE)
+    motions = jump.motion(times)
+    for way in WAYS:
+        met = bool(np.any(motions == way))
+        assert bool(lines_by(ax, way)) == met
+        assert (WAYS[way][0] in words_of(ax)) == met
+    assert lines_by(ax, "airborne")
 
 
 def test_a_line_shows_where_its_ball_moves_so(side: carom.Run) -> None:
     ax = side.plot_paths()
-    rolling, sliding = (places_of(lines_by(ax, code)) for code in (ROLLING, SLIDING))
+    rolling, sliding = (places_of(lines_by(ax, way)) for way in ("rolling", "sliding"))
     change = side.events.by_kind("slide_to_roll")[0]
     ball = side.ball_ids.index(str(change.ball_a))
     place = side.positions(change.time)[ball, :2]
@@ -388,7 +384,7 @@ def test_a_flight_has_a_potential_energy(jump: carom.Run) -> None:
 def test_spin_and_its_vertical_part_are_the_runs(side: carom.Run) -> None:
     cue, eight, *others = figures.plot_spin(side).lines
     times = np.asarray(cue.get_xdata())
-    spins, _ = spins_and_motions(side, times)
+    spins = side.spins(times)
     np.testing.assert_array_equal(np.asarray(cue.get_ydata()), np.linalg.norm(spins[:, 0], axis=-1))
     np.testing.assert_array_equal(np.asarray(eight.get_ydata()), np.linalg.norm(spins[:, 1], axis=-1))
     np.testing.assert_array_equal(np.asarray(others[0].get_ydata()), spins[:, 0, 2])
@@ -443,8 +439,7 @@ def test_a_turned_ball_shows_its_dot_where_it_is() -> None:
 
 def test_a_film_shows_balls_until_they_fall_and_then_beside_the_time(potted: carom.Run, tmp_path: Path) -> None:
     path = potted.animate(tmp_path / "film.gif", fps=10, size=400, trail=0.0)
-    _, motions = spins_and_motions(potted, np.array([potted.end_time]))
-    assert motions[0].tolist()[0] == POCKETED
+    assert potted.motion(potted.end_time)[0] == "pocketed"
     with Image.open(path) as film:
         first = np.asarray(film.convert("RGB")).astype(int)
         film.seek(getattr(film, "n_frames", 1) - 1)

@@ -37,8 +37,8 @@ def _unknown_shape(values: Values) -> None:
     values["table"]["shape"] = "hexagon"
 
 
-def _position_in_space(values: Values) -> None:
-    values["balls"][1]["position"] = [0.5, 1.0, 0.0]
+def _position_in_spacetime(values: Values) -> None:
+    values["balls"][1]["position"] = [0.5, 1.0, 0.0, 0.0]
 
 
 def _duration_in_words(values: Values) -> None:
@@ -53,14 +53,34 @@ def _unknown_law(values: Values) -> None:
     values["physics"]["ball_cushion"] = {"law": "damping", "normal": 0.8}
 
 
+def _unknown_preset(values: Values) -> None:
+    values["table"] = {"preset": "pool_10ft"}
+
+
+def _shot_into_the_cloth(values: Values) -> None:
+    values["shot"] = {"V0": 1.0, "phi_deg": 90.0, "theta_deg": 91.0}
+
+
+def _friction_of_a_word(values: Values) -> None:
+    values["physics"]["ball_ball"] = {"law": "frictional", "normal": 0.9, "friction": "small"}
+
+
+def _rack_of_no_game(values: Values) -> None:
+    values["rack"] = {"seed": 1}
+
+
 BREAKS = [
     _unknown_key,
     _negative_radius,
     _unknown_shape,
-    _position_in_space,
+    _position_in_spacetime,
     _duration_in_words,
     _no_balls,
     _unknown_law,
+    _unknown_preset,
+    _shot_into_the_cloth,
+    _friction_of_a_word,
+    _rack_of_no_game,
 ]
 
 
@@ -74,6 +94,12 @@ def test_what_the_schema_refuses_the_engine_refuses(
     assert not validator.is_valid(values)
     with pytest.raises(carom.ScenarioError):
         carom.Scenario.from_dict(values)
+
+
+def test_balls_may_be_left_out_where_there_is_a_rack(validator: Draft202012Validator) -> None:
+    values = {"table": {"preset": "pool_9ft"}, "rack": {"game": "nine_ball"}}
+    assert validator.is_valid(values)
+    assert carom.Scenario.from_dict(values).to_dict() == {"format": 1} | values
 
 
 def test_files_are_valid_as_they_are_written(validator: Draft202012Validator) -> None:

@@ -34,7 +34,7 @@ CONSTANTS = {
 TITLES = {"library": "Ready-made scenarios, schema, versions"}
 """Titles of pages that hold more than their module."""
 
-FURTHER = {"figures": "carom.figures", "animation": "carom.animation"}
+FURTHER = {"figures": "carom.figures", "animation": "carom.animation", "pooltool": "carom.pooltool"}
 """Modules whose names are public although the package itself does not give them."""
 
 

@@ -26,6 +26,7 @@ ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 DIRECTIVES = {"toctree", "include", "figure", "image", "eval-rst", "math"}
 MOST_EVENTS = 10_000
+OF_A_KIND = {"shape", "preset", "law", "kind"}
 
 
 @dataclass(frozen=True)
@@ -178,10 +179,10 @@ def _try_scenario(block: Block, values: Mapping[str, Any]) -> None:
 
 
 def laid_over(under: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:
-    """Lay a part of a scenario over a whole one; what says its own shape, law or kind takes the place of the other."""
+    """Lay a part of a scenario over a whole one; what says of which kind it is takes the place of the other."""
     merged = dict(under)
     for key, value in over.items():
         old: Any = under.get(key)
-        merge = isinstance(value, Mapping) and isinstance(old, Mapping) and not {"shape", "law", "kind"} & value.keys()
+        merge = isinstance(value, Mapping) and isinstance(old, Mapping) and not OF_A_KIND & value.keys()
         merged[key] = laid_over(old, value) if merge else value
     return merged

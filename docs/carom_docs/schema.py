@@ -26,15 +26,25 @@ def load() -> dict[str, Any]:
 
 def sections() -> dict[str, list[str]]:
     """Give the name of each section of the reference, with the keys that its example has to show."""
-    found = {"scenario": list(load()["properties"])}
-    for name, definition in load()["$defs"].items():
+    found = {"scenario": _asked(load())}
+    for name, definition in _definitions().items():
         if words_of(definition) or "properties" not in {*definition, *_first(variants_of(definition))}:
             found[kebab(name)] = []
         elif "properties" in definition:
-            found[kebab(name)] = list(definition["properties"])
+            found[kebab(name)] = _asked(definition)
         else:
-            found |= {section_of(name, one): list(one["properties"]) for one in variants_of(definition)}
+            found |= {section_of(name, one): _asked(one) for one in variants_of(definition)}
     return found
+
+
+def _asked(definition: Values) -> list[str]:
+    """Give the keys that an example has to show: of two names of one thing the first."""
+    asked: list[str] = []
+    for key, value in definition["properties"].items():
+        other = re.search(r"; or `(\w+)`", value.get("description", ""))
+        if other is None or other[1] not in asked:
+            asked.append(key)
+    return asked
 
 
 def laws() -> set[str]:
@@ -51,7 +61,7 @@ def markdown() -> str:
     """Give a section for each part of a scenario: its keys, and an example."""
     schema = load()
     parts = [_object("The file", "scenario", "", schema, level=2)]
-    for name, definition in schema["$defs"].items():
+    for name, definition in _definitions().items():
         parts.append("\n".join(_definition(name, definition)))
     return "\n\n".join(parts)
 
@@ -66,8 +76,9 @@ def kebab(name: str) -> str:
 
 
 def variants_of(definition: Values) -> list[Any]:
-    """Give the ways a value of several forms can be written; none for a plain one."""
-    return list(definition.get("oneOf") or definition.get("anyOf") or [])
+    """Give the ways a value of several forms can be written, definitions in full; none for a plain one."""
+    written = definition.get("oneOf") or definition.get("anyOf") or []
+    return [load()["$defs"][_reference(one)] | one if "$ref" in one else one for one in written]
 
 
 def words_of(definition: Values) -> list[str]:
@@ -87,6 +98,14 @@ def tag_of(variant: Values) -> tuple[str, str]:
 def section_of(name: str, variant: Values) -> str:
     """Name the section of a variant, such as ``table-rectangle``."""
     return f"{kebab(name)}-{tag_of(variant)[1]}"
+
+
+def _definitions() -> dict[str, Any]:
+    """Give the definitions by their names, without those that are one form of another and shown there."""
+    every: dict[str, Any] = load()["$defs"]
+    forms = [one for definition in every.values() for one in definition.get("anyOf", [])]
+    shown = {_reference(form) for form in forms if "$ref" in form}
+    return {name: definition for name, definition in every.items() if name not in shown}
 
 
 def _choices(name: str) -> list[str]:
@@ -109,6 +128,7 @@ def _reference(value: Values) -> str:
 
 def _definition(name: str, definition: Values) -> Iterator[str]:
     title = " and ".join(f"`{place}`" for place in _places(name))
+    title += " of a preset" if name.endswith("Change") else ""
     if "properties" in definition:
         yield _object(title, kebab(name), definition["description"], definition, level=2)
         return
@@ -170,6 +190,8 @@ def _type(value: Values) -> str:
         return f"[{min(_places(name), key=len).rpartition('.')[2]}](#scenario-{kebab(name)})"
     if value["type"] == "array":
         return _list(value)
+    if "properties" in value:
+        return "keys " + ", ".join(f"`{key}`" for key in value["properties"])
     if value["type"] == "object":
         return f"by id: {_type(value['additionalProperties'])}"
     return ", ".join([WORDS[value["type"]], *_bounds(value)])
@@ -178,6 +200,8 @@ def _type(value: Values) -> str:
 def _list(value: Values) -> str:
     least, most = value.get("minItems"), value.get("maxItems")
     inner = _type(value["items"])
+    if least is not None and most is not None and least < most:
+        return f"{least} or {most} × {inner}"
     if least is not None and least == most:
         return f"{least} × ({inner})" if value["items"].get("type") == "array" else f"{least} × {inner}"
     return f"list of {inner}" + (f", at least {least}" if least else "")

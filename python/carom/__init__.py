@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         compare_steps,
         compare_trajectory,
     )
+    from carom.cue import Cue, Shot
     from carom.errors import (
         CaromError,
         MissingExtraError,
@@ -37,13 +38,31 @@ if TYPE_CHECKING:
         TrajectoryError,
     )
     from carom.events import Event, EventTable
-    from carom.library import scenarios
+    from carom.library import presets, scenarios
     from carom.method import Exact, Stepped
-    from carom.physics import Damping, Elastic, Field, Free, Physics, Restitution
+    from carom.physics import (
+        ByIncidence,
+        BySpeed,
+        Cloth,
+        Damping,
+        Elastic,
+        FallingFriction,
+        Field,
+        Free,
+        Frictional,
+        Han2005,
+        Mathavan2010,
+        Mathavan2014,
+        Physics,
+        Restitution,
+        StrongeCompliant,
+    )
+    from carom.rack import Rack
     from carom.run import Reference, Run, Verification, load_run
     from carom.scenario import Scenario, load
+    from carom.shot import ShotResult
     from carom.simulation import Candidate, Simulation
-    from carom.table import Arc, Circle, Line, Path, Table, Wall
+    from carom.table import Arc, Circle, Line, Mouth, Path, Pocket, Table, Wall
 
 _HOMES = {
     "_engine": ["PHYSICS_VERSION", "__version__", "schema"],
@@ -60,6 +79,7 @@ _HOMES = {
         "compare_steps",
         "compare_trajectory",
     ],
+    "cue": ["Cue", "Shot"],
     "errors": [
         "CaromError",
         "MissingExtraError",
@@ -69,13 +89,31 @@ _HOMES = {
         "TrajectoryError",
     ],
     "events": ["Event", "EventTable"],
-    "library": ["scenarios"],
+    "library": ["presets", "scenarios"],
     "method": ["Exact", "Stepped"],
-    "physics": ["Damping", "Elastic", "Field", "Free", "Physics", "Restitution"],
+    "physics": [
+        "ByIncidence",
+        "BySpeed",
+        "Cloth",
+        "Damping",
+        "Elastic",
+        "FallingFriction",
+        "Field",
+        "Free",
+        "Frictional",
+        "Han2005",
+        "Mathavan2010",
+        "Mathavan2014",
+        "Physics",
+        "Restitution",
+        "StrongeCompliant",
+    ],
+    "rack": ["Rack"],
     "run": ["Reference", "Run", "Verification", "load_run"],
     "scenario": ["Scenario", "load"],
+    "shot": ["ShotResult"],
     "simulation": ["Candidate", "Simulation"],
-    "table": ["Arc", "Circle", "Line", "Path", "Table", "Wall"],
+    "table": ["Arc", "Circle", "Line", "Mouth", "Path", "Pocket", "Table", "Wall"],
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 
@@ -83,23 +121,35 @@ __all__ = [
     "PHYSICS_VERSION",
     "Arc",
     "Ball",
+    "ByIncidence",
+    "BySpeed",
     "Candidate",
     "CaromError",
     "Circle",
+    "Cloth",
     "ColumnTable",
+    "Cue",
     "Damping",
     "Difference",
     "Elastic",
     "Event",
     "EventTable",
     "Exact",
+    "FallingFriction",
     "Field",
     "Free",
+    "Frictional",
+    "Han2005",
     "Line",
+    "Mathavan2010",
+    "Mathavan2014",
     "MissingExtraError",
+    "Mouth",
     "Parting",
     "Path",
     "Physics",
+    "Pocket",
+    "Rack",
     "Reference",
     "Restitution",
     "Run",
@@ -107,10 +157,13 @@ __all__ = [
     "RunError",
     "Scenario",
     "ScenarioError",
+    "Shot",
+    "ShotResult",
     "Simulation",
     "SimulationError",
     "StepComparison",
     "Stepped",
+    "StrongeCompliant",
     "Table",
     "TrajectoryComparison",
     "TrajectoryError",
@@ -123,6 +176,7 @@ __all__ = [
     "compare_trajectory",
     "load",
     "load_run",
+    "presets",
     "scenarios",
     "schema",
 ]

@@ -10,18 +10,21 @@ from numpy.typing import NDArray
 
 __all__ = [
     "EVENT_KINDS",
+    "MOTIONS",
     "PHYSICS_VERSION",
     "Run",
     "Scenario",
     "Simulation",
     "__version__",
     "bundled_scenarios",
+    "presets",
     "schema",
 ]
 
 __version__: str
 PHYSICS_VERSION: int
 EVENT_KINDS: list[str]
+MOTIONS: list[str]
 
 class _EventColumns(TypedDict):
     index: NDArray[np.int64]
@@ -37,6 +40,7 @@ class _EventColumns(TypedDict):
     closing_speed: NDArray[np.float64]
     impulse: NDArray[np.float64]
     cluster: NDArray[np.int64]
+    pocket: NDArray[np.int32]
 
 class _StepColumns(TypedDict):
     step: NDArray[np.int64]
@@ -48,6 +52,7 @@ class _StepColumns(TypedDict):
     hit: NDArray[np.int8]
 
 def bundled_scenarios() -> dict[str, str]: ...
+def presets() -> dict[str, str]: ...
 def schema() -> str: ...
 
 @final
@@ -77,6 +82,7 @@ class Simulation:
     def candidates(self) -> list[dict[str, Any]]: ...
     def positions(self) -> NDArray[np.float64]: ...
     def velocities(self) -> NDArray[np.float64]: ...
+    def spins(self) -> tuple[NDArray[np.float64], NDArray[np.int8]]: ...
     def stop(self) -> None: ...
     def finish(self) -> Run: ...
 
@@ -92,6 +98,8 @@ class Run:
     def ball_ids(self) -> list[str]: ...
     @property
     def cushion_ids(self) -> list[str]: ...
+    @property
+    def pocket_ids(self) -> list[str]: ...
     @property
     def is_on_cloth(self) -> bool: ...
     @property

@@ -38,6 +38,8 @@ class Event:
         The normal impulse, in units of mass times speed.
     cluster : int or None
         The number of the cluster it was resolved in; None when it stood alone.
+    pocket : str or None
+        The pocket's id, where a ball fell into one.
     """
 
     index: int
@@ -53,6 +55,7 @@ class Event:
     closing_speed: float
     impulse: float
     cluster: int | None
+    pocket: str | None
 
     @property
     def position(self) -> tuple[float, float]:
@@ -78,24 +81,30 @@ class EventTable(ColumnTable):
     """Events as columns: ``events["time"]``; as rows: ``events[0]``; and in parts, which compose.
 
     A column is a read-only array of n_events entries: int64 for `index` and `cluster` (−1: in no cluster; in pandas,
-    Arrow, CSV and JSON that is absent), float64 for numbers, object for `kind`, `ball_a`, `ball_b` and `cushion` (str,
-    or None where absent).
+    Arrow, CSV and JSON that is absent), float64 for numbers, object for `kind`, `ball_a`, `ball_b`, `cushion` and
+    `pocket` (str, or None where absent).
 
     Parameters
     ----------
     columns : mapping of str to (n_events,) array
         The columns of `Event`, complete.
-    kinds, balls, cushions : sequences of str
-        The words that `by_kind`, `by_ball` and `by_cushion` know.
+    kinds, balls, cushions, pockets : sequences of str
+        The words that `by_kind`, `by_ball`, `by_cushion` and `by_pocket` know.
     """
 
     def __init__(
-        self, columns: Mapping[str, Any], kinds: Sequence[str], balls: Sequence[str], cushions: Sequence[str]
+        self,
+        columns: Mapping[str, Any],
+        kinds: Sequence[str],
+        balls: Sequence[str],
+        cushions: Sequence[str],
+        pockets: Sequence[str] = (),
     ) -> None:
         super().__init__({name: columns[name] for name in COLUMNS})
         self._kinds = tuple(kinds)
         self._balls = tuple(balls)
         self._cushions = tuple(cushions)
+        self._pockets = tuple(pockets)
 
     @overload
     def __getitem__(self, key: str) -> NDArray[Any]: ...
@@ -132,6 +141,11 @@ class EventTable(ColumnTable):
         _check_known("cushion", cushions, self._cushions)
         return self._part(_any_of(self["cushion"], cushions))
 
+    def by_pocket(self, *pockets: str) -> EventTable:
+        """Give the events in which a ball falls into any of these pockets; an unknown id is a ValueError."""
+        _check_known("pocket", pockets, self._pockets)
+        return self._part(_any_of(self["pocket"], pockets))
+
     def by_time(self, start: float, end: float) -> EventTable:
         """Give the events with ``start <= time <= end``."""
         time = self["time"]
@@ -152,7 +166,7 @@ class EventTable(ColumnTable):
 
     def _part(self, rows: slice | NDArray[Any]) -> EventTable:
         columns = {name: self.column(name)[rows] for name in COLUMNS}
-        return EventTable(columns, self._kinds, self._balls, self._cushions)
+        return EventTable(columns, self._kinds, self._balls, self._cushions, self._pockets)
 
 
 def event_from(values: Mapping[str, Any]) -> Event:
@@ -178,4 +192,5 @@ def _any_of(column: NDArray[Any], words: Sequence[str]) -> NDArray[np.bool_]:
 def _check_known(what: str, words: Sequence[str], known: Sequence[str]) -> None:
     for word in words:
         if word not in known:
-            raise ValueError(f"unknown {what} {word!r}; known are {', '.join(known)}")
+            listed = f"known are {', '.join(known)}" if known else "there is none"
+            raise ValueError(f"unknown {what} {word!r}; {listed}")

@@ -1,4 +1,4 @@
-"""Where scenario texts come from: the ready-made ones, and files."""
+"""Where scenario texts come from: the ready-made ones, and files; and the ready-made tables."""
 
 from __future__ import annotations
 
@@ -17,6 +17,17 @@ FORMATS = {".toml": "toml", ".json": "json"}
 def scenarios() -> list[str]:
     """Give the names of the ready-made scenarios, in order."""
     return sorted(_engine.bundled_scenarios())
+
+
+def presets() -> dict[str, str]:
+    """Give the ready-made tables for `carom.Table.preset`: their titles by their names.
+
+    Examples
+    --------
+    >>> presets()["snooker_12ft"]
+    'Snooker, 12 feet'
+    """
+    return _engine.presets()
 
 
 def text_of(source: str | os.PathLike[str]) -> tuple[str, str]:

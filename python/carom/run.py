@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -20,12 +20,17 @@ from carom.events import Event, EventTable, decoded
 from carom.files import read_text, write_text
 from carom.options import options_json
 from carom.scenario import Scenario
+from carom.shot import ShotResult, shot_result
 from carom.summary import summary_of_run
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from carom.cue import Shot
+
 MOST_TIMES = 1e8
+MOTION = ("position", "velocity", "spin", "speed", "direction_deg")
+"""The keys of a ball that say where it is and how it moves."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +87,7 @@ class Run:
     ----------
     status : str
         How it ended: ``time_limit``, ``collision_limit``, ``stopped``, ``at_rest``, ``collapsed``,
-        ``event_limit`` or ``interrupted``.
+        ``event_limit``, ``interrupted`` or ``miscue``.
     end_time : float
         The time at which it ended.
     ball_ids : list of str
@@ -123,14 +128,42 @@ class Run:
             ("ball_a", balls),
             ("ball_b", balls),
             ("cushion", self.cushion_ids),
+            ("pocket", self.pocket_ids),
         ):
             columns[name] = decoded(columns[name], words)
-        return EventTable(columns, kinds, balls, self.cushion_ids)
+        return EventTable(columns, kinds, balls, self.cushion_ids, self.pocket_ids)
 
     @property
     def cushion_ids(self) -> list[str]:
         """The ids of the cushions, in order."""
         return self._native.cushion_ids
+
+    @property
+    def pocket_ids(self) -> list[str]:
+        """The ids of the pockets, in order."""
+        return self._native.pocket_ids
+
+    @property
+    def is_on_cloth(self) -> bool:
+        """Whether the balls are spheres that roll and spin on a cloth, and no discs."""
+        return self._native.is_on_cloth
+
+    @cached_property
+    def shot(self) -> ShotResult:
+        """What came of the shot: the ball hit first, the balls pocketed, the cushions, and so on.
+
+        Raises
+        ------
+        RunError
+            When the scenario has no shot, or when the run kept no events.
+
+        Examples
+        --------
+        >>> import carom
+        >>> carom.load("nine_ball_break").run().shot.first_ball_hit
+        '1'
+        """
+        return shot_result(self)
 
     @cached_property
     def diagnostics(self) -> dict[str, Any]:
@@ -188,7 +221,8 @@ class Run:
         Returns
         -------
         positions, velocities : (n_times, n_balls, 2) float64
-            In length, and in length per time; without the first axis for a single time.
+            In length, and in length per time; (n_times, n_balls, 3) on a cloth, where those of balls out of play are
+            NaN; without the first axis for a single time.
 
         Raises
         ------
@@ -201,12 +235,50 @@ class Run:
         return positions.reshape(shape), velocities.reshape(shape)
 
     def positions(self, times: ArrayLike) -> NDArray[np.float64]:
-        """Give the centres at `times`, (n_times, n_balls, 2) float64, in length; see `states`."""
+        """Give the centres at `times`, (n_times, n_balls, 2) float64, in length; 3 numbers on a cloth; see `states`."""
         return self.states(times)[0]
 
     def velocities(self, times: ArrayLike) -> NDArray[np.float64]:
-        """Give the velocities at `times`, (n_times, n_balls, 2) float64, in length per time; see `states`."""
+        """Give the velocities at `times`, in length per time; otherwise as `positions`."""
         return self.states(times)[1]
+
+    def spins(self, times: ArrayLike) -> NDArray[np.float64]:
+        """Give the angular velocities at `times`, (n_times, n_balls, 3) float64, in radians per time; on a cloth only.
+
+        Those of balls out of play are NaN; a time may be any that `states` takes.
+
+        Raises
+        ------
+        RunError
+            When the balls are discs; and as for `states`.
+        """
+        return self._spins_and_motions(times)[0]
+
+    def motion(self, times: ArrayLike) -> NDArray[np.object_]:
+        """Give how each ball moves at `times`, (n_times, n_balls) object; on a cloth only.
+
+        Each entry is one of the words ``resting``, ``spinning`` (in place), ``sliding``, ``rolling``, ``airborne``,
+        ``pocketed`` and ``off_table``, a str: so ``run.motion(times) == "rolling"`` is an array of booleans.
+
+        Raises
+        ------
+        RunError
+            When the balls are discs; and as for `states`.
+
+        Examples
+        --------
+        >>> import carom
+        >>> run = carom.load("nine_ball_break").run()
+        >>> [str(word) for word in run.motion([0.0, 0.05])[:, 0]]
+        ['sliding', 'sliding']
+        """
+        return decoded(self._spins_and_motions(times)[1], _engine.MOTIONS)
+
+    def _spins_and_motions(self, times: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int8]]:
+        at = np.asarray(times, dtype=np.float64)
+        spins, motions = self._native.spins(np.ascontiguousarray(at).ravel())
+        balls = len(self.ball_ids)
+        return spins.reshape((*at.shape, balls, 3)), motions.reshape((*at.shape, balls))
 
     def energy(self, times: ArrayLike) -> NDArray[np.float64]:
         """Give the kinetic energy at `times`, (n_times,) float64, in mass × (length per time)².
@@ -218,15 +290,15 @@ class Run:
         return self._native.energy(np.ascontiguousarray(at).ravel()).reshape(at.shape)
 
     def potential_energy(self, times: ArrayLike) -> NDArray[np.float64]:
-        """Give the potential energy in the field at `times`, (n_times,) float64, in mass × (length per time)².
+        """Give the potential energy at `times`, (n_times,) float64, in mass × (length per time)².
 
-        It is zero for balls at the origin, and everywhere without a field.
+        In a field it is zero for balls at the origin, on a cloth for balls that lie on it, else everywhere.
         """
         at = np.asarray(times, dtype=np.float64)
         return self._native.potential_energy(np.ascontiguousarray(at).ravel()).reshape(at.shape)
 
     def momentum(self, times: ArrayLike) -> NDArray[np.float64]:
-        """Give the total momentum at `times`, (n_times, 2) float64, in mass × length per time."""
+        """Give the total momentum at `times`, (n_times, 2) float64, in mass × length per time; 3 numbers on a cloth."""
         at = np.asarray(times, dtype=np.float64)
         momentum = self._native.momentum(np.ascontiguousarray(at).ravel())
         return momentum.reshape((*at.shape, *momentum.shape[1:]))
@@ -249,6 +321,9 @@ class Run:
     def trajectory(self, times: ArrayLike) -> ColumnTable:
         """Give the motion as a table: ``time``, and per ball ``<id>.x``, ``<id>.y``, ``<id>.vx``, ``<id>.vy``.
 
+        On a cloth each ball has ``x, y, z``, the velocity ``vx, vy, vz``, the spin ``wx, wy, wz`` and the word
+        ``motion`` (see `Run.motion`); the numbers of a ball out of play are NaN.
+
         Parameters
         ----------
         times : float or (n_times,) array of float
@@ -257,12 +332,67 @@ class Run:
         at = np.atleast_1d(np.asarray(times, dtype=np.float64))
         if at.ndim > 1:
             raise ValueError(f"times: must be a number or a list of them, got the shape {at.shape}")
-        positions, velocities = self.states(at)
-        columns = {"time": at}
+        vectors = dict(zip(("", "v"), self.states(at), strict=True))
+        motion = None
+        if self.is_on_cloth:
+            vectors["w"], motion = self.spins(at), self.motion(at)
+        columns: dict[str, NDArray[Any]] = {"time": at}
         for ball, name in enumerate(self.ball_ids):
-            columns |= {f"{name}.x": positions[:, ball, 0], f"{name}.y": positions[:, ball, 1]}
-            columns |= {f"{name}.vx": velocities[:, ball, 0], f"{name}.vy": velocities[:, ball, 1]}
+            for letter, vector in vectors.items():
+                axes = "xyz"[: vector.shape[-1]]
+                columns |= {f"{name}.{letter}{axis}": vector[:, ball, place] for place, axis in enumerate(axes)}
+            if motion is not None:
+                columns[f"{name}.motion"] = motion[:, ball]
         return ColumnTable(columns)
+
+    def final_scenario(self) -> Scenario:
+        """Give the scenario that goes on from the end of this run, without a shot.
+
+        The balls are where they lie, and move as they do then, if they still do; those out of play are left out, and
+        so is the rack. Everything else is kept.
+
+        Raises
+        ------
+        ScenarioError
+            When no ball is left.
+        """
+        values = self.scenario.to_dict()
+        balls = {ball["id"]: ball for ball in self.scenario.expanded().to_dict()["balls"]}
+        rows = [{**_unmoved(balls[name]), **motion} for name, motion in self._motions_at_end().items()]
+        rest = {key: value for key, value in values.items() if key not in ("rack", "shot", "balls")}
+        return Scenario.from_dict({**rest, "balls": rows})
+
+    def _motions_at_end(self) -> dict[str, dict[str, Any]]:
+        """Give the place of each ball that is in play at the end, and how it moves if it does, by its id."""
+        place, velocity = self.states(self.end_time)
+        moving: dict[str, NDArray[np.float64]] = {"velocity": velocity}
+        heights = np.zeros(len(self.ball_ids), dtype=bool)
+        if self.is_on_cloth:
+            moving["spin"] = self.spins(self.end_time)
+            heights = self.motion(self.end_time) == "airborne"
+        found: dict[str, dict[str, Any]] = {}
+        for ball, name in enumerate(self.ball_ids):
+            if np.isfinite(place[ball]).all():
+                found[name] = {"position": place[ball] if heights[ball] else place[ball, :2]}
+                found[name] |= {key: vectors[ball] for key, vectors in moving.items() if vectors[ball].any()}
+        return found
+
+    def next(self, shot: Shot | Mapping[str, Any] | None = None, **keys: Any) -> Run:
+        """Run the next shot, from where the balls lie: the same as ``final_scenario().with_shot(shot).run()``.
+
+        Parameters
+        ----------
+        shot : Shot, optional
+            The shot.
+        **keys
+            The keys of the shot, if it is not given as one.
+
+        Raises
+        ------
+        ScenarioError
+            When the shot does not fit: when the cue ball is out of play, for instance.
+        """
+        return self.final_scenario().with_shot(shot, **keys).run()
 
     def resume(
         self, *, duration: float | None = None, collisions: int | None = None, max_events: int | None = None
@@ -321,6 +451,12 @@ class Run:
 
         return figures.plot_speed(self, ax=ax)
 
+    def plot_spin(self, ax: Axes | None = None) -> Axes:
+        """Draw how fast the balls on a cloth turn over time; see `carom.figures`."""
+        from carom import figures
+
+        return figures.plot_spin(self, ax=ax)
+
     def plot_momentum(self, ax: Axes | None = None) -> Axes:
         """Draw the total momentum over time; see `carom.figures`."""
         from carom import figures
@@ -335,12 +471,19 @@ class Run:
         axes: Sequence[Axes] | None = None,
         arrows: bool = True,
         contact_axes: bool = True,
+        closeup: bool | None = None,
     ) -> list[Axes]:
         """Draw an event before, during and after; see `carom.figures`."""
         from carom import figures
 
         return figures.filmstrip(
-            self, around=around, frames=frames, axes=axes, arrows=arrows, contact_axes=contact_axes
+            self,
+            around=around,
+            frames=frames,
+            axes=axes,
+            arrows=arrows,
+            contact_axes=contact_axes,
+            closeup=closeup,
         )
 
     def animate(
@@ -389,8 +532,7 @@ class Run:
         return _from_json, (self.to_json(),)
 
     def __repr__(self) -> str:
-        values = self.scenario.to_dict()
-        return summary_of_run(values, self.status, self.end_time, self.diagnostics, self.digest)
+        return summary_of_run(self)
 
     def _repr_html_(self) -> str:
         from carom.report import run_card
@@ -411,6 +553,11 @@ def load_run(path: str | os.PathLike[str]) -> Run:
         return _from_json(text)
     except RunError as error:
         raise RunError(f"{path}: {error}") from None
+
+
+def _unmoved(ball: Mapping[str, Any]) -> dict[str, Any]:
+    """Give a ball without its place and its motion."""
+    return {key: value for key, value in ball.items() if key not in MOTION}
 
 
 def _outcome(text: str) -> str:

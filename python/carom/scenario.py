@@ -19,9 +19,11 @@ from carom.summary import summary_of_scenario
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from carom.cue import Cue, Shot
     from carom.events import Event
     from carom.method import Method
     from carom.physics import Physics
+    from carom.rack import Rack
     from carom.run import Run
     from carom.simulation import Simulation
     from carom.table import Table
@@ -34,10 +36,16 @@ class Scenario:
     ----------
     table : Table
         The region the balls move in.
-    balls : sequence of Ball
-        The balls; at least one.
+    balls : sequence of Ball, optional
+        The balls; at least one, unless there is a rack.
     physics : Physics, optional
-        The laws; absent: free flight and elastic collisions.
+        The laws; absent: those of the table's preset, or free flight and elastic collisions.
+    rack : Rack, optional
+        Balls set up for a game.
+    shot : Shot, optional
+        A stroke of the cue at time 0.
+    cue : Cue, optional
+        The cue; absent: that of the table's preset, or a pool cue.
     duration : float, optional
         How long a run goes on, in time. With neither this nor `collisions` it goes on until everything rests.
     **more
@@ -58,6 +66,9 @@ class Scenario:
     >>> red = carom.Ball("red", radius=0.075, position=(0.1, 0.1), velocity=(3, 4))
     >>> carom.Scenario(table, [red], duration=5).ball_ids
     ['red']
+    >>> pool, rack = carom.Table.preset("pool_9ft"), carom.Rack("nine_ball", seed=7)
+    >>> carom.Scenario(pool, rack=rack, shot=carom.Shot(V0=8, phi_deg=91)).run().status
+    'at_rest'
     """
 
     __slots__ = ("_native",)
@@ -66,13 +77,24 @@ class Scenario:
     def __init__(
         self,
         table: Table | Mapping[str, Any],
-        balls: Sequence[Ball | Mapping[str, Any]],
+        balls: Sequence[Ball | Mapping[str, Any]] | None = None,
         *,
         physics: Physics | Mapping[str, Any] | None = None,
+        rack: Rack | Mapping[str, Any] | None = None,
+        shot: Shot | Mapping[str, Any] | None = None,
+        cue: Cue | Mapping[str, Any] | None = None,
         duration: float | None = None,
         **more: Any,
     ) -> None:
-        keys = {"table": table, "balls": balls, "physics": physics, "duration": duration, **more}
+        keys: dict[str, Any] = {
+            "table": table,
+            "balls": balls,
+            "physics": physics,
+            "rack": rack,
+            "shot": shot,
+            "cue": cue,
+        }
+        keys |= {"duration": duration, **more}
         given = {name: value for name, value in keys.items() if value is not None}
         check_counts(given)
         self._native = _engine.Scenario.parse(to_json(given), "json")
@@ -154,12 +176,21 @@ class Scenario:
 
     @property
     def units(self) -> dict[str, str]:
-        """The names of the units (``length``, ``time``, ``mass``) that the scenario names."""
-        return dict(self.to_dict().get("units", {}))
+        """The names of the units (``length``, ``time``, ``mass``) that the scenario or its preset names."""
+        return dict(self.expanded().to_dict().get("units", {}))
+
+    @property
+    def is_on_cloth(self) -> bool:
+        """Whether the balls are spheres that roll and spin on a cloth, and no discs."""
+        return self._native.is_on_cloth
 
     @property
     def balls(self) -> list[Ball]:
-        """The balls in order, each with its radius, mass and velocity filled in."""
+        """The balls in order, those of the rack too, each with its radius, mass and velocity filled in.
+
+        On a cloth places and velocities have three numbers and spins are filled in too: as they are before the cue
+        strikes.
+        """
         return [Ball(**ball) for ball in json.loads(self._native.balls())]
 
     @property
@@ -185,6 +216,46 @@ class Scenario:
             raise TypeError(f"values: must be a mapping of paths to values, got {values!r}")
         return type(self)._of(self._native.with_values(to_json(values)))
 
+    def with_shot(self, shot: Shot | Mapping[str, Any] | None = None, **keys: Any) -> Scenario:
+        """Give the scenario with a shot in place of the one it has.
+
+        Parameters
+        ----------
+        shot : Shot, optional
+            The shot.
+        **keys
+            The keys of the shot, if it is not given as one.
+
+        Raises
+        ------
+        ScenarioError
+            When the shot does not fit: at a ball that is not there or that moves already, for instance.
+        TypeError
+            When both or neither are given.
+
+        Examples
+        --------
+        >>> import carom
+        >>> table = carom.Table.preset("pool_9ft")
+        >>> scenario = carom.Scenario(table, [carom.Ball("cue", position=(0.6, 0.6))])
+        >>> scenario.with_shot(V0=2, phi_deg=90).value("shot.V0")
+        2.0
+        """
+        if (shot is None) == (not keys):
+            raise TypeError("with_shot: needs a carom.Shot or its keys, such as V0=2, phi_deg=90")
+        return type(self).from_dict({**self.to_dict(), "shot": keys if shot is None else shot})
+
+    def expanded(self) -> Scenario:
+        """Give the same scenario with its preset and its rack in plain keys.
+
+        Examples
+        --------
+        >>> import carom
+        >>> carom.Scenario(carom.Table.preset("pool_9ft"), rack=carom.Rack("nine_ball")).expanded().value("table.width")
+        1.27
+        """
+        return type(self)._of(self._native.expanded())
+
     def outline(self) -> dict[str, Any]:
         """Give what there is to draw of the table.
 
@@ -193,7 +264,8 @@ class Scenario:
         dict
             ``bounds`` is [x_min, y_min, x_max, y_max]; ``size`` the table's size; ``pieces`` a list of lines
             (``start``, ``end``) and arcs (``center``, ``radius``, ``from_deg``, ``to_deg``), each with ``id``,
-            ``kind`` and ``part`` (``boundary`` or ``obstacle``).
+            ``kind`` and ``part`` (``boundary`` or ``obstacle``); ``pockets`` a list of ``id``, ``center`` and
+            ``radius``.
         """
         outline: dict[str, Any] = json.loads(self._native.outline())
         return outline
@@ -277,7 +349,7 @@ class Scenario:
         return type(self).from_json, (self.to_json(),)
 
     def __repr__(self) -> str:
-        return summary_of_scenario(self.to_dict())
+        return summary_of_scenario(self)
 
     def _repr_html_(self) -> str:
         from carom.report import scenario_card

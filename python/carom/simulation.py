@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from carom import _engine
 from carom.errors import RunError
-from carom.events import Event, event_from
+from carom.events import Event, decoded, event_from
 
 if TYPE_CHECKING:
     from carom.run import Run
@@ -27,8 +27,8 @@ class Candidate:
         The ball.
     kind : str or None
         The kind of event; None when nothing ever closes on this ball.
-    ball_b, cushion : str or None
-        What it would meet.
+    ball_b, cushion, pocket : str or None
+        What it would meet, or fall into.
     time : float or None
         When.
     gap : float or None
@@ -39,6 +39,7 @@ class Candidate:
     kind: str | None
     ball_b: str | None
     cushion: str | None
+    pocket: str | None
     time: float | None
     gap: float | None
 
@@ -74,13 +75,23 @@ class Simulation:
 
     @property
     def positions(self) -> NDArray[np.float64]:
-        """The centres now, (n_balls, 2) float64, in length."""
+        """The centres now, (n_balls, 2) float64, in length; (n_balls, 3) on a cloth, NaN for balls out of play."""
         return self._native.positions()
 
     @property
     def velocities(self) -> NDArray[np.float64]:
-        """The velocities now, (n_balls, 2) float64, in length per time."""
+        """The velocities now, in length per time; otherwise as `positions`."""
         return self._native.velocities()
+
+    @property
+    def spins(self) -> NDArray[np.float64]:
+        """The angular velocities now, (n_balls, 3) float64, in radians per time; on a cloth only."""
+        return self._native.spins()[0]
+
+    @property
+    def motion(self) -> NDArray[np.object_]:
+        """How each ball moves now, (n_balls,) object, as words; on a cloth only. See `Run.motion`."""
+        return decoded(self._native.spins()[1], _engine.MOTIONS)
 
     def step(self) -> Event | None:
         """Go on to the next event and give it; None when the run has ended before another one."""

@@ -4,36 +4,41 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from textwrap import fill
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from carom.units import unit_of
+
+if TYPE_CHECKING:
+    from carom.run import Run
+    from carom.scenario import Scenario
 
 WIDTH = 80
 NAMES_WIDTH = 60
 MOST_CUSHIONS = 6
 DIGEST_SHOWN = len("sha256:") + 16
 MORE = "..."
+TAGS = ("shape", "preset", "law", "kind", "game")
+"""The keys that say of which kind a setting is; their words go without them."""
 
 Fact = tuple[str, str]
 
 
-def summary_of_scenario(values: Mapping[str, Any]) -> str:
-    """Give a scenario, as a dict, in a few lines."""
-    return block(f"Scenario {values['title']!r}" if "title" in values else "Scenario", facts_of_scenario(values))
+def summary_of_scenario(scenario: Scenario) -> str:
+    """Give a scenario in a few lines."""
+    return block(f"Scenario {scenario.title!r}" if scenario.title else "Scenario", facts_of_scenario(scenario))
 
 
-def summary_of_run(
-    values: Mapping[str, Any], status: str, end_time: float, diagnostics: Mapping[str, Any], digest: str | None
-) -> str:
-    """Give a run, with its scenario as a dict, in a few lines."""
-    units = values.get("units", {})
+def summary_of_run(run: Run) -> str:
+    """Give a run in a few lines."""
+    values, units = run.scenario.to_dict(), run.scenario.units
+    diagnostics, digest = run.diagnostics, run.digest
     counts = [f"{count} {kind}" for kind, count in diagnostics["events"].items() if count]
     total = sum(diagnostics["events"].values())
     energies = [f"{diagnostics[name]:.6g}" for name in ("initial_energy", "final_energy")]
     facts = [
-        ("status", status),
-        ("end time", _with_unit(end_time, units, "time")),
-        ("balls", str(len(values["balls"]))),
+        ("status", run.status),
+        ("end time", _with_unit(run.end_time, units, "time")),
+        ("balls", str(len(run.ball_ids))),
         ("events", f"{total} ({', '.join(counts)})" if counts else "0"),
         ("energy", f"{energies[0]} to {_with_unit(float(energies[1]), units, 'energy')}"),
         ("energy error", _with_unit(float(f"{diagnostics['energy_error']:.2g}"), units, "energy")),
@@ -45,10 +50,11 @@ def summary_of_run(
     return block(f"Run of {values['title']!r}" if "title" in values else "Run", facts)
 
 
-def facts_of_scenario(values: Mapping[str, Any]) -> list[Fact]:
-    """Give what a scenario, as a dict, says, each by its name."""
-    units = values.get("units", {})
-    facts = [("table", _table(values["table"])), ("balls", _named([ball["id"] for ball in values["balls"]]))]
+def facts_of_scenario(scenario: Scenario) -> list[Fact]:
+    """Give what a scenario says, each by its name."""
+    values, units = scenario.to_dict(), scenario.units
+    facts = [("table", _table(values["table"])), ("balls", _named(scenario.ball_ids))]
+    facts += [(name, _setting(values[name])) for name in ("rack", "shot", "cue") if name in values]
     for name, law in values.get("physics", {}).items():
         facts += _cushions(law) if name == "cushions" else [(f"physics.{name}", _setting(law))]
     facts.append(("method", _setting(values.get("method", {"kind": "exact"}))))
@@ -80,7 +86,7 @@ def _one_line(text: str) -> str:
 
 
 def _table(table: Mapping[str, Any]) -> str:
-    return _setting({name: len(value) if name in ("pieces", "obstacles") else value for name, value in table.items()})
+    return _setting({name: len(value) if isinstance(value, list) else value for name, value in table.items()})
 
 
 def _named(names: Sequence[str]) -> str:
@@ -106,6 +112,6 @@ def _with_unit(number: float, units: Mapping[str, str], quantity: str) -> str:
 def _setting(setting: Any) -> str:
     if not isinstance(setting, Mapping):
         return str(setting)
-    kind = [str(setting[tag]) for tag in ("shape", "law", "kind") if tag in setting]
-    rest = [f"{name} {_setting(value)}" for name, value in setting.items() if name not in ("shape", "law", "kind")]
+    kind = [str(setting[tag]) for tag in TAGS if tag in setting]
+    rest = [f"{name} {_setting(value)}" for name, value in setting.items() if name not in TAGS]
     return ", ".join(kind + rest)

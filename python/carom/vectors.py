@@ -9,4 +9,4 @@ import numpy as np
 from numpy.typing import NDArray
 
 Vector = Sequence[float] | NDArray[np.floating[Any]] | NDArray[np.integer[Any]]
-"""A vector (x, y): numbers in a row, or a NumPy array of them."""
+"""A vector (x, y) or (x, y, z): numbers in a row, or a NumPy array of them."""

@@ -6,16 +6,20 @@ use numpy::{Element, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The event columns; balls, cushions and kinds as codes, with −1 for none.
-pub fn event_columns<'py>(py: Python<'py>, events: &[Event<f64>]) -> PyResult<Bound<'py, PyDict>> {
+/// The event columns; balls, cushions, pockets and kinds as codes, with −1 for none. Pockets are numbered after so many
+/// cushions.
+pub fn event_columns<'py>(
+    py: Python<'py>,
+    events: &[Event<f64>],
+    cushions: usize,
+) -> PyResult<Bound<'py, PyDict>> {
     let columns = PyDict::new(py);
     columns.set_item("index", PyArray1::from_iter(py, 0..events.len() as i64))?;
     columns.set_item("time", column(py, events, |event| event.time))?;
     columns.set_item("kind", column(py, events, |event| event.kind as i8))?;
     columns.set_item("ball_a", column(py, events, |event| event.ball_a as i32))?;
     columns.set_item("ball_b", column(py, events, |event| code(event.ball_b)))?;
-    columns
-        .set_item("cushion", column(py, events, |event| code(event.cushion.filter(|_| !is_pocket(event)))))?;
+    columns.set_item("cushion", column(py, events, |event| place(event, false).map_or(-1, |place| place as i32)))?;
     columns.set_item("x", column(py, events, |event| event.point.x))?;
     columns.set_item("y", column(py, events, |event| event.point.y))?;
     columns.set_item("normal_x", column(py, events, |event| event.normal.x))?;
@@ -23,14 +27,16 @@ pub fn event_columns<'py>(py: Python<'py>, events: &[Event<f64>]) -> PyResult<Bo
     columns.set_item("closing_speed", column(py, events, |event| event.closing_speed))?;
     columns.set_item("impulse", column(py, events, |event| event.impulse))?;
     columns.set_item("cluster", column(py, events, |event| event.cluster.map_or(-1, i64::from)))?;
-    columns
-        .set_item("pocket", column(py, events, |event| code(event.cushion.filter(|_| is_pocket(event)))))?;
+    columns.set_item(
+        "pocket",
+        column(py, events, |event| place(event, true).map_or(-1, |place| place as i32 - cushions as i32)),
+    )?;
     Ok(columns)
 }
 
-/// Whether the place of an event is a pocket, which is numbered after cushions and corners.
-fn is_pocket(event: &Event<f64>) -> bool {
-    event.kind == Kind::BallPocket
+/// The place of an event if it is a pocket, or else if it is a cushion.
+fn place(event: &Event<f64>, is_pocket: bool) -> Option<u32> {
+    event.cushion.filter(|_| (event.kind == Kind::BallPocket) == is_pocket)
 }
 
 /// The columns of a stepped run, (n_steps + 1, n_balls) where they depend on the ball.

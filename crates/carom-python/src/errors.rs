@@ -45,3 +45,8 @@ pub fn file_error(error: RunFileError) -> PyErr {
         other => run_error(&other.to_string()),
     }
 }
+
+/// What discs were asked for that only balls on a cloth have.
+pub fn discs_have_no_spin() -> PyErr {
+    run_error("discs have no spin and no motion; balls have them where physics.flight.law = \"cloth\"")
+}

@@ -15,11 +15,12 @@ use pyo3::prelude::*;
 /// The native module of the package.
 #[pymodule]
 mod _engine {
+    use carom::flight::Motion;
     use carom::run::Kind;
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::bundled::bundled_scenarios;
+    use crate::bundled::{bundled_scenarios, presets};
     #[pymodule_export]
     use crate::run::Run;
     #[pymodule_export]
@@ -31,6 +32,7 @@ mod _engine {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", carom::run::VERSION)?;
         module.add("PHYSICS_VERSION", carom::run::PHYSICS_VERSION)?;
-        module.add("EVENT_KINDS", Kind::ALL.map(Kind::name))
+        module.add("EVENT_KINDS", Kind::ALL.map(Kind::name))?;
+        module.add("MOTIONS", Motion::ALL.map(Motion::name))
     }
 }

@@ -1,7 +1,7 @@
 //! Runs.
 
 use crate::columns::{event_columns, step_columns};
-use crate::errors::{file_error, problem, query_error, run_error, scenario_error, simulation_error};
+use crate::errors::{discs_have_no_spin, file_error, problem, query_error, run_error, scenario_error, simulation_error};
 use crate::interrupt::interruptible;
 use crate::scenario::{Scenario, options};
 use crate::states::{Moving, vectors};
@@ -30,12 +30,10 @@ impl Run {
     }
 
     /// The run of balls on a cloth.
-    fn on_cloth(&self, what: &str) -> PyResult<&run::Run<f64, OnCloth>> {
+    fn on_cloth(&self) -> PyResult<&run::Run<f64, OnCloth>> {
         match &self.run {
             AnyRun::OnCloth(run) => Ok(run),
-            AnyRun::Plane(_) => Err(run_error(&format!(
-                "discs have no {what}; balls have it in scenarios with physics.flight.law = \"cloth\""
-            ))),
+            AnyRun::Plane(_) => Err(discs_have_no_spin()),
         }
     }
 }
@@ -78,10 +76,16 @@ impl Run {
         with_any!(&self.run, run => run.system.ball_ids.clone())
     }
 
-    /// The ids of the cushions, of the corners after them, and of the pockets after those.
+    /// The ids of the cushions, and of the corners after them.
     #[getter]
     fn cushion_ids(&self) -> Vec<String> {
-        with_any!(&self.run, run => run.system.cushion_ids.clone())
+        self.places().0.to_vec()
+    }
+
+    /// The ids of the pockets.
+    #[getter]
+    fn pocket_ids(&self) -> Vec<String> {
+        self.places().1.to_vec()
     }
 
     /// The scenario as it was run.
@@ -89,13 +93,13 @@ impl Run {
         Scenario::new(self.scenario.clone())
     }
 
-    /// The event columns; balls, cushions and kinds as codes, with −1 for none.
+    /// The event columns; balls, cushions, pockets and kinds as codes, with −1 for none.
     fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         with_any!(&self.run, run => {
             if !run.log.keeps_events {
                 return Err(run_error("the run kept no events; run with record = \"events\" or \"all\""));
             }
-            event_columns(py, &run.log.events)
+            event_columns(py, &run.log.events, self.places().0.len())
         })
     }
 
@@ -113,7 +117,7 @@ impl Run {
 
     /// Spins, (n_times, n_balls, 3), and codes of motions, (n_times, n_balls), at some times of a run on a cloth.
     fn spins<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Spins<'py>> {
-        let run = self.on_cloth("spin and no motions")?;
+        let run = self.on_cloth()?;
         let states = at(py, &times, |time| run.state(time))?;
         let [count, balls] = [states.len(), run.balls.len()];
         let spins = vectors(&states, Moving::spin);
@@ -211,6 +215,14 @@ impl Run {
 }
 
 impl Run {
+    /// The ids of cushions and corners, and those of pockets, which are numbered after them.
+    fn places(&self) -> (&[String], &[String]) {
+        match &self.run {
+            AnyRun::Plane(run) => (&run.system.cushion_ids, &[]),
+            AnyRun::OnCloth(run) => run.system.cushion_ids.split_at(run.system.place_of(0) as usize),
+        }
+    }
+
     fn resumed<D: Simulated>(
         &self,
         py: Python<'_>,

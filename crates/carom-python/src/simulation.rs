@@ -1,6 +1,6 @@
 //! Runs taken event by event.
 
-use crate::errors::{problem, simulation_error};
+use crate::errors::{discs_have_no_spin, problem, simulation_error};
 use crate::interrupt::interruptible;
 use crate::run::Run;
 use crate::states::{Moving, array};
@@ -10,7 +10,7 @@ use carom::scenario::Scenario;
 use carom::scenario::schema::Method;
 use carom::simulate::{AnySimulation, Simulated, SimulationOf};
 use carom::with_any;
-use numpy::PyArray2;
+use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::VecDeque;
@@ -19,6 +19,7 @@ use std::collections::VecDeque;
 const SLICE: u64 = 50_000;
 
 type Outcome = Result<(), SimulationError>;
+type Spins<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i8>>);
 
 /// A run under way.
 #[pyclass(module = "carom._engine")]
@@ -60,11 +61,14 @@ impl Simulation {
     }
 
     fn candidate<'py>(&self, py: Python<'py>, coming: &Coming<f64>) -> PyResult<Bound<'py, PyDict>> {
+        let is_pocket = coming.kind == Some(Kind::BallPocket);
+        let place = coming.cushion.map(|cushion| self.cushion(cushion));
         let row = PyDict::new(py);
         row.set_item("ball", self.ball(coming.ball as u32))?;
         row.set_item("kind", coming.kind.map(Kind::name))?;
         row.set_item("ball_b", coming.other.map(|ball| self.ball(ball)))?;
-        row.set_item("cushion", coming.cushion.map(|cushion| self.cushion(cushion)))?;
+        row.set_item("cushion", place.filter(|_| !is_pocket))?;
+        row.set_item("pocket", place.filter(|_| is_pocket))?;
         row.set_item("time", coming.kind.map(|_| coming.time))?;
         row.set_item("gap", coming.gap)?;
         Ok(row)
@@ -161,6 +165,14 @@ impl Simulation {
     /// The velocities now, (n_balls, 2), or (n_balls, 3) on a cloth.
     fn velocities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         with_any!(&self.simulation, inner => array(py, inner.0.state(), Moving::velocity))
+    }
+
+    /// The spins now, (n_balls, 3), and the codes of the motions, (n_balls,), on a cloth.
+    fn spins<'py>(&self, py: Python<'py>) -> PyResult<Spins<'py>> {
+        let AnySimulation::OnCloth(inner) = &self.simulation else { return Err(discs_have_no_spin()) };
+        let state = inner.0.state();
+        let motions = PyArray1::from_iter(py, state.iter().map(|ball| ball.motion as i8));
+        Ok((array(py, state, Moving::spin)?, motions))
     }
 
     /// Ends the run here.

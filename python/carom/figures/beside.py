@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from carom.figures.cloth import Aim
+    from carom.figures.aim import Aim
     from carom.figures.scene import Scene
 
 WIDTH = 1.62  # inches

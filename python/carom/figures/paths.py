@@ -123,8 +123,8 @@ def _fill(beside: Beside, travels: Travels, marks: _Marks) -> None:
     scene = travels.scene
     note_aim(beside, scene)
     ways = [
-        Line2D([], [], color=style.INK, linewidth=1.3, linestyle=WAYS[code][1], label=WAYS[code][0])
-        for code in travels.ways
+        Line2D([], [], color=style.INK, linewidth=1.3, linestyle=WAYS[way][1], label=WAYS[way][0])
+        for way in travels.ways
     ]
     kinds = [kind for kind in marks.kinds if kind != "ball_pocket"]
     note_samples(beside, [*ways, *_legend_marks(kinds, rings=marks.has_rings)])

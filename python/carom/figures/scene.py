@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.colors import to_hex
 
 from carom.colours import ball_colours
-from carom.figures.cloth import Aim, is_on_cloth, plain_values
+from carom.figures.aim import Aim
 from carom.figures.rails import Rails
 from carom.figures.style import line_colour
 from carom.units import unit_of
@@ -83,8 +83,8 @@ class Scene:
         balls = scenario.balls
         ids = tuple(ball.id for ball in balls)
         colours = ball_colours(ids, [ball.color for ball in balls])
-        values = plain_values(scenario)
-        rails = Rails.of(values, outline, scenario.to_dict()) if is_on_cloth(scenario) else None
+        values = scenario.expanded().to_dict()
+        rails = Rails.of(values, outline, scenario.to_dict()) if scenario.is_on_cloth else None
         x_min, y_min, x_max, y_max = outline["bounds"] if rails is None else rails.outer
         radii = [ball.radius or 0.0 for ball in balls]
         return cls(
@@ -96,7 +96,7 @@ class Scene:
             pieces=tuple(outline["pieces"]),
             field=np.array(values.get("physics", {}).get("flight", {}).get("acceleration", (0.0, 0.0)), dtype=float),
             units=values.get("units", {}),
-            on_cloth=is_on_cloth(scenario),
+            on_cloth=scenario.is_on_cloth,
             rails=rails,
             aim=Aim.of(values, dict(zip(ids, radii, strict=True))),
         )

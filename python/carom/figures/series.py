@@ -8,7 +8,6 @@ import numpy as np
 from matplotlib.transforms import blended_transform_factory
 
 from carom.figures import style
-from carom.figures.cloth import spins_and_motions
 from carom.figures.moments import draw_times
 from carom.figures.scene import Scene
 
@@ -108,7 +107,7 @@ def plot_spin(run: Run, ax: Axes | None = None) -> Axes:
     """
     scene = Scene.of_run(run)
     times = draw_times(run, SAMPLES)
-    spins, _ = spins_and_motions(run, times)
+    spins = run.spins(times)
     ax = _new_axes(scene, more=2) if ax is None else ax
     _draw_balls(ax, scene, times, np.linalg.norm(spins, axis=-1))
     for side, colour in zip(spins[..., 2].T, scene.lines, strict=True):
@@ -154,7 +153,7 @@ def _kinetic_energies(run: Run, scene: Scene, times: NDArray[np.float64]) -> NDA
     """Give the kinetic energy of every ball, (n_times, n_balls) float64."""
     energies: NDArray[np.float64] = 0.5 * scene.masses * np.sum(np.square(run.velocities(times)), axis=-1)
     if scene.on_cloth:
-        spins, _ = spins_and_motions(run, times)
+        spins = run.spins(times)
         energies = energies + 0.2 * scene.masses * scene.radii**2 * np.sum(np.square(spins), axis=-1)
     return energies
 

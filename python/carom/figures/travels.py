@@ -9,7 +9,6 @@ import numpy as np
 from matplotlib.patches import Circle
 
 from carom.figures import style
-from carom.figures.cloth import AIRBORNE, ROLLING, SLIDING, spins_and_motions
 
 if TYPE_CHECKING:
     from typing import Any
@@ -21,10 +20,10 @@ if TYPE_CHECKING:
     from carom.figures.scene import Scene
     from carom.run import Run
 
-WAYS: dict[int, tuple[str, Any]] = {
-    ROLLING: ("rolling", "solid"),
-    SLIDING: ("sliding", (0, (2.6, 1.3))),
-    AIRBORNE: ("in the air", (0, (0.9, 1.5))),
+WAYS: dict[str, tuple[str, Any]] = {
+    "rolling": ("rolling", "solid"),
+    "sliding": ("sliding", (0, (2.6, 1.3))),
+    "airborne": ("in the air", (0, (0.9, 1.5))),
 }
 """The words and the dashes of the motions that take a ball somewhere."""
 SUNK = 0.8
@@ -39,15 +38,15 @@ class Travels:
     ----------
     places : (n_times, n_balls, 2) float64
         Seen from above; of a ball out of play, where it ended.
-    motions : (n_times, n_balls) int8
-        The codes of the motions.
+    motions : (n_times, n_balls) str
+        How they move.
     out : tuple of Event
         The events that took a ball out of play, in order.
     """
 
     scene: Scene
     places: NDArray[np.float64]
-    motions: NDArray[np.int8]
+    motions: NDArray[np.object_]
     out: tuple[Event, ...]
 
     @classmethod
@@ -58,7 +57,7 @@ class Travels:
         for event, end in zip(out, _ends(scene, out), strict=True):
             ball = scene.ids.index(str(event.ball_a))
             places[~np.isfinite(places[:, ball, 0]), ball] = end
-        return cls(scene, places, spins_and_motions(run, times)[1], out)
+        return cls(scene, places, run.motion(times), out)
 
     @property
     def fallen(self) -> list[int]:
@@ -66,16 +65,16 @@ class Travels:
         return [self.scene.ids.index(str(event.ball_a)) for event in self.out]
 
     @property
-    def ways(self) -> list[int]:
+    def ways(self) -> list[str]:
         """The motions of `WAYS` that occur."""
-        return [code for code in WAYS if np.any(self.motions == code)]
+        return [way for way in WAYS if np.any(self.motions == way)]
 
 
 def draw_travels(ax: Axes, travels: Travels, *, crowding: float) -> None:
     """Draw the path of every ball, a line for each of its ways; the more crowded (0 to 1), the thinner and fainter."""
     for ball, colour in enumerate(travels.scene.lines):
-        for code in WAYS:
-            stretches = _stretches(travels.motions[:, ball] == code)
+        for way in WAYS:
+            stretches = _stretches(travels.motions[:, ball] == way)
             if stretches:
                 gap = np.full((1, 2), np.nan)
                 parts = [part for first, end in stretches for part in (travels.places[first:end, ball], gap)]
@@ -83,7 +82,7 @@ def draw_travels(ax: Axes, travels: Travels, *, crowding: float) -> None:
                     *np.concatenate(parts[:-1]).T,
                     color=colour,
                     linewidth=1.3 - 0.4 * crowding,
-                    linestyle=WAYS[code][1],
+                    linestyle=WAYS[way][1],
                     alpha=0.9 - 0.1 * crowding,
                     solid_joinstyle="round",
                     zorder=2.0,

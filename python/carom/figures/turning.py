@@ -8,7 +8,6 @@ import numpy as np
 from matplotlib.colors import to_rgb
 
 from carom.figures.balls import STRIPE
-from carom.figures.cloth import spins_and_motions
 from carom.figures.scene import BARE
 
 if TYPE_CHECKING:
@@ -45,8 +44,8 @@ def turned(run: Run, times: NDArray[np.float64]) -> NDArray[np.float64]:
     end = float(times[-1])
     events = np.asarray(run.events.by_time(0.0, end)["time"], dtype=float)
     fine = np.unique(np.concatenate([[0.0], times, events, np.linspace(0.0, end, 4 * len(times))]))
-    first = np.nan_to_num(spins_and_motions(run, fine[:-1])[0])
-    last = np.nan_to_num(spins_and_motions(run, np.nextafter(fine[1:], -np.inf))[0])
+    first = np.nan_to_num(run.spins(fine[:-1]))
+    last = np.nan_to_num(run.spins(np.nextafter(fine[1:], -np.inf)))
     h = np.diff(fine)[:, None, None]
     # With ω' h = ω₁ − ω₀ that is (ω₁ × ω₀) h² / 12.
     steps = _rotations(0.5 * (first + last) * h + np.cross(last, first) * h**2 / 12.0)

@@ -33,7 +33,7 @@ def scenario_card(scenario: Scenario) -> str:
     from carom import figures
 
     figures.plot_scenario(scenario, ax=ax)
-    rows = [Row(name, value) for name, value in facts_of_scenario(scenario.to_dict())]
+    rows = [Row(name, value) for name, value in facts_of_scenario(scenario)]
     balls = counted(len(scenario.balls), "ball")
     return _card(scenario.title or "Scenario", scenario.description, rows, ax, f"The table from above with {balls}.")
 

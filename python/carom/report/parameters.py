@@ -71,13 +71,14 @@ def ball_table(scenario: Scenario) -> dict[str, Any]:
     balls = scenario.balls
     colours = ball_colours([ball.id for ball in balls], [ball.color for ball in balls])
     shown = balls[:MOST_BALLS]
+    places = [ball.position if ball.position is not None else (0.0, 0.0) for ball in shown]
     speed = unit_of(scenario.units, "speed")
     length, mass = scenario.units.get("length"), scenario.units.get("mass")
     columns = {
         head("radius", length): column([ball.radius or 0.0 for ball in shown]),
         head("mass", mass): column([1.0 if ball.mass is None else ball.mass for ball in shown]),
-        head("x", length): column([ball.position[0] for ball in shown]),
-        head("y", length): column([ball.position[1] for ball in shown]),
+        head("x", length): column([place[0] for place in places]),
+        head("y", length): column([place[1] for place in places]),
         head("velocity x", speed): column([ball.velocity[0] if ball.velocity else 0.0 for ball in shown]),
         head("velocity y", speed): column([ball.velocity[1] if ball.velocity else 0.0 for ball in shown]),
     }

@@ -87,13 +87,12 @@ def figures_of(run: Run) -> Iterator[tuple[str, Figure]]:
     if run.record != "all":
         return
     from carom import figures
-    from carom.figures.cloth import is_on_cloth
 
     for name in NAMES:
         if name == "filmstrip":
             if len(run.events):
                 yield name, figures.figure_of(figures.filmstrip(run))
-        elif name != "spin" or is_on_cloth(run.scenario):
+        elif name != "spin" or run.is_on_cloth:
             yield name, figures.figure_of(getattr(figures, f"plot_{name}")(run))
 
 

@@ -21,8 +21,12 @@ pub struct Cloth<S> {
     pub has_air: bool,
 }
 
-/// Speeds below this part of those that they are the difference of are round-off.
+/// Speeds below this many roundings of those that they are the difference of are round-off.
 const ROUND_OFF: f64 = 16.0;
+
+/// The same as a part of the speed √(2 g R) of a fall by a radius, for what is left of contacts one after the other: with
+/// it a ball would roll 1e-22 of its radius.
+const STANDSTILL: f64 = 1e-12;
 
 impl<S: Scalar> Cloth<S> {
     /// Whether a ball on the cloth with this velocity upwards leaves it.
@@ -45,7 +49,8 @@ impl<S: Scalar> Cloth<S> {
         if position.z > sphere.radius || twist.velocity.z > S::ZERO {
             return self.airborne(sphere, start, position, twist);
         }
-        let threshold = scale * S::from_f64(ROUND_OFF * S::EPSILON);
+        let fall = (S::from_f64(2.0) * self.gravity * sphere.radius).sqrt();
+        let threshold = scale * S::from_f64(ROUND_OFF * S::EPSILON) + fall * S::from_f64(STANDSTILL);
         let position = Vec3::new(position.x, position.y, sphere.radius);
         let (velocity, slip) = (twist.velocity.plan(), twist.slip(sphere.radius));
         let (slip_speed, speed) = (slip.norm(), velocity.norm());

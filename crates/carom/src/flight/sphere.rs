@@ -135,6 +135,12 @@ impl<S: Scalar> SphereFlight<S> {
         self.plan.start
     }
 
+    /// Its acceleration.
+    #[inline(always)]
+    pub fn acceleration(&self) -> Vec3<S> {
+        Vec3::above(self.plan.acceleration, self.lift)
+    }
+
     /// Position a time `elapsed` after the start.
     #[inline(always)]
     pub fn position_after(&self, elapsed: S) -> Vec3<S> {

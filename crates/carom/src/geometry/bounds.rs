@@ -27,6 +27,23 @@ impl<S: Scalar> Bounds<S> {
         bounds
     }
 
+    /// The box around a path `x + v t + ½ a t²` for `0 ≤ t ≤ time`, which is finite.
+    #[inline(always)]
+    pub fn of_path(position: Vec2<S>, velocity: Vec2<S>, acceleration: Vec2<S>, time: S) -> Self {
+        let across = range_of_path(position.x, velocity.x, acceleration.x, time);
+        let along = range_of_path(position.y, velocity.y, acceleration.y, time);
+        Self { min: Vec2::new(across.0, along.0), max: Vec2::new(across.1, along.1) }
+    }
+
+    /// Whether two boxes are nowhere nearer to each other than `distance` along an axis.
+    #[inline(always)]
+    pub fn is_apart(&self, other: &Self, distance: S) -> bool {
+        self.min.x > other.max.x + distance
+            || other.min.x > self.max.x + distance
+            || self.min.y > other.max.y + distance
+            || other.min.y > self.max.y + distance
+    }
+
     /// The larger side.
     pub fn size(&self) -> S {
         let sides = self.max - self.min;
@@ -47,6 +64,20 @@ impl<S: Scalar> Bounds<S> {
             self.max.y = point.y;
         }
     }
+}
+
+/// The least and the greatest of `x + v t + ½ a t²` for `0 ≤ t ≤ time`.
+#[inline(always)]
+fn range_of_path<S: Scalar>(x: S, v: S, a: S, time: S) -> (S, S) {
+    let half = S::from_f64(0.5);
+    let end = x + (v + a * (time * half)) * time;
+    let (mut least, mut greatest) = if end < x { (end, x) } else { (x, end) };
+    if v * (v + a * time) < S::ZERO {
+        let turn = x - v * v * half / a;
+        least = if turn < least { turn } else { least };
+        greatest = if turn > greatest { turn } else { greatest };
+    }
+    (least, greatest)
 }
 
 impl<S: Scalar> Arc<S> {

@@ -1,6 +1,6 @@
 //! The faces of cushions: the boundary as a ball meets it.
 
-use crate::geometry::{Arc, Piece, Vec2};
+use crate::geometry::{Arc, Bounds, Piece, Vec2};
 use crate::scalar::Scalar;
 
 /// A piece of boundary made ready for detection.
@@ -101,6 +101,20 @@ impl<S: Scalar> Face<S> {
                 Face::Line(Line { start: segment.start, along, normal, normal_scale, length, level, origin })
             }
             Piece::Arc(arc) => Face::Round(Round { arc: *arc }),
+        }
+    }
+
+    /// The box around it; for an arc, around its whole circle.
+    pub fn bounds(&self) -> Bounds<S> {
+        match self {
+            Face::Line(line) => {
+                let end = line.start + line.along * line.length;
+                Bounds::of_path(line.start, end - line.start, Vec2::ZERO, S::ONE)
+            }
+            Face::Round(round) => {
+                let reach = Vec2::new(round.arc.radius, round.arc.radius);
+                Bounds { min: round.arc.center - reach, max: round.arc.center + reach }
+            }
         }
     }
 

@@ -1,7 +1,7 @@
 //! A pocket made ready for detection.
 
 use super::{Face, Round};
-use crate::geometry::{Arc, Vec2};
+use crate::geometry::{Arc, Bounds, Vec2};
 use crate::scalar::Scalar;
 
 /// A circle over which a ball's centre is captured.
@@ -20,6 +20,11 @@ impl<S: Scalar> Hole<S> {
     pub fn new(center: Vec2<S>, radius: S) -> Self {
         let arc = Arc::from_degrees(center, radius, S::from_f64(360.0), S::ZERO);
         Self { center, radius, rim: Face::Round(Round { arc }) }
+    }
+
+    /// The box around it.
+    pub fn bounds(&self) -> Bounds<S> {
+        self.rim.bounds()
     }
 
     /// Whether a point lies over it.

@@ -135,10 +135,25 @@ pub struct OnCloth;
 pub struct SphereTrack<S> {
     /// Changes of course so far.
     pub changes: u64,
+    /// Time of its last contact.
+    pub last_contact: S,
     /// Since when its contacts are counted, to see whether they follow each other too fast.
     pub burst_start: S,
     /// Contacts since then.
     pub burst: u32,
+}
+
+impl<S: Scalar> SphereTrack<S> {
+    /// A ball that nothing has happened to.
+    pub fn new() -> Self {
+        Self { changes: 0, last_contact: -S::INFINITY, burst_start: S::ZERO, burst: 0 }
+    }
+}
+
+impl<S: Scalar> Default for SphereTrack<S> {
+    fn default() -> Self {
+        Self::new()
+    }
 }
 
 /// The steps of a dynamics that has no fixed-step method: there are none.

@@ -3,7 +3,8 @@
 //! Flights, gaps and laws are generic over [`Scalar`], so that one copy of the physics runs in `f64` for speed, in
 //! [`DoubleDouble`] to tell how far the `f64` answer can be trusted, and in [`Dual`] for exact derivatives through
 //! events. Only `+ − × ÷ sqrt` are used during a run; all of them are correctly rounded in IEEE arithmetic, so the
-//! bits are the same on every platform.
+//! bits are the same on every platform. A few laws of spheres were published with more, which goes through the one door of
+//! `trigonometry.rs` and has the same bits everywhere too.
 
 mod double_double;
 mod dual;
@@ -57,15 +58,16 @@ pub trait Scalar:
 
     /// Cosine and sine of an angle in radians.
     ///
-    /// Used while a scenario is made ready, never during a run. In double-double the result is the `f64` one, since
+    /// Used while a scenario is made ready, and by one law of cushions. In double-double the result is the `f64` one, since
     /// there the inputs of a computation are its `f64` values.
     fn cos_sin(self) -> (Self, Self);
 
-    /// The exponential function, of laws that were fitted with it.
+    /// The exponential function, of a friction that was fitted with it. In double-double the result is the `f64` one.
     #[must_use]
     fn exp(self) -> Self;
 
-    /// The angle in radians, from −π to π, of the direction with these components; zero where both vanish.
+    /// The angle in radians, from −π to π, of the direction with these components; zero where both vanish. In
+    /// double-double the result is the `f64` one.
     #[must_use]
     fn angle(x: Self, y: Self) -> Self;
 
@@ -114,15 +116,15 @@ impl Scalar for f64 {
     }
 
     fn cos_sin(self) -> (Self, Self) {
-        (libm::cos(self), libm::sin(self))
+        trigonometry::cos_sin(self)
     }
 
     fn exp(self) -> Self {
-        libm::exp(self)
+        trigonometry::exp(self)
     }
 
     fn angle(x: Self, y: Self) -> Self {
-        libm::atan2(y, x)
+        trigonometry::angle(x, y)
     }
 
     #[inline(always)]

@@ -2,6 +2,18 @@
 
 use super::Scalar;
 
+pub(super) fn cos_sin(radians: f64) -> (f64, f64) {
+    (libm::cos(radians), libm::sin(radians))
+}
+
+pub(super) fn exp(x: f64) -> f64 {
+    libm::exp(x)
+}
+
+pub(super) fn angle(x: f64, y: f64) -> f64 {
+    libm::atan2(y, x)
+}
+
 /// The unit vector `(cos, sin)` of an angle in degrees.
 ///
 /// Multiples of 90 degrees are exact, so that the quarter arcs of a table end where its lines begin.

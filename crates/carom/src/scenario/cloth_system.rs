@@ -7,7 +7,7 @@ use super::shot::{CueStart, ShotStart};
 use super::start::BallStart;
 use super::system::{CushionLaws, cushion_ids, faces};
 use crate::flight::Cloth;
-use crate::geometry::Vec3;
+use crate::geometry::{Bounds, Vec3};
 use crate::law::coefficient::{IncidenceFriction, NormalRestitution, SlipFriction};
 use crate::law::{ball_ball, ball_cushion, cue_ball};
 use crate::model::{ContactTolerance, Face, Hole, Nose, NoseContact, Sphere, Table, Twist};
@@ -26,6 +26,10 @@ pub struct ClothSystem<S> {
     pub stroke: Option<Stroke<S>>,
     /// The faces of cushions and corners.
     pub faces: Vec<Face<S>>,
+    /// The boxes around them.
+    pub boxes: Vec<Bounds<S>>,
+    /// Their numbers from the longest to the shortest: the first are likeliest to be met.
+    pub by_length: Vec<u32>,
     /// How each ball touches the noses of cushions.
     pub noses: Vec<NoseReach<S>>,
     /// The law of each face.
@@ -38,7 +42,10 @@ pub struct ClothSystem<S> {
     pub ball_ball: ball_ball::SphereLaw<S>,
     /// The law of several contacts at one instant.
     pub cluster: Cluster,
-    /// For each ball the speed up to which contacts lose nothing: v_c = 0.005 √(2 g R).
+    /// For each ball the time t_c = 0.05 √(2R/g): balls that are pressed together hop for so long, and contacts that
+    /// follow each other faster lose nothing up to v_c.
+    pub hop_times: Vec<S>,
+    /// For each ball that speed, v_c = 0.005 √(2 g R).
     pub kept_speeds: Vec<S>,
     /// For each ball the time within which contacts count as following each other too fast: 1e-3 √(2R/g).
     pub collapse_times: Vec<S>,
@@ -59,10 +66,10 @@ pub struct NoseReach<S> {
     pub height: S,
     /// Distance in plan from a nose to the centre of a ball on the cloth that touches it.
     pub reach: S,
-    /// Sine of the contact angle of a ball on the cloth.
-    pub sin: S,
-    /// Its cosine.
-    pub cos: S,
+    /// Sine and cosine of the contact angle θ of a ball on the cloth, sin θ = (h − R)/R.
+    pub tilt: (S, S),
+    /// The same of the direction from its centre to the nose, which is another where a ball touches the nose in plan.
+    pub direction: (S, S),
 }
 
 /// The cue, the ball that it strikes, and how.
@@ -105,6 +112,7 @@ impl<S: Scalar> ClothSystem<S> {
             .collect();
         let spheres: Vec<_> = starts.iter().map(BallStart::sphere).collect();
         let holes = table.pockets.iter().map(|pocket| Hole::new(pocket.center, pocket.radius)).collect();
+        let faces = faces(&table);
         Self {
             stroke: stroke(scenario, number),
             noses: spheres.iter().map(|sphere| nose_reach(sphere, &table.nose)).collect(),
@@ -114,6 +122,7 @@ impl<S: Scalar> ClothSystem<S> {
             .of_table(&table),
             ball_ball: ball_ball_law(scenario.physics.ball_ball(), number),
             cluster: scenario.physics.cluster(),
+            hop_times: spheres.iter().map(|sphere| fall(sphere, &cloth).0 * S::from_f64(HOP_TIME)).collect(),
             kept_speeds: spheres
                 .iter()
                 .map(|sphere| fall(sphere, &cloth).1 * S::from_f64(KEPT_SPEED))
@@ -123,7 +132,9 @@ impl<S: Scalar> ClothSystem<S> {
             duration: scenario.duration.map(|value| number(&"duration", value)),
             ball_ids: scenario.balls.iter().map(|ball| ball.id.clone()).collect(),
             cushion_ids: place_ids(&table),
-            faces: faces(&table),
+            boxes: faces.iter().map(Face::bounds).collect(),
+            by_length: by_length(&faces),
+            faces,
             starts: starts.iter().map(|start| (start.position, start.twist())).collect(),
             spheres,
             holes,
@@ -132,11 +143,14 @@ impl<S: Scalar> ClothSystem<S> {
     }
 }
 
-/// The part of the speed of a fall from a ball's height up to which contacts lose nothing.
+/// t_c as a part of the time √(2R/g) in which a ball falls by its radius.
+const HOP_TIME: f64 = 0.05;
+
+/// v_c as a part of the speed √(2gR) of that fall.
 const KEPT_SPEED: f64 = 0.005;
 
-/// The time that a ball takes to fall by its own height, √(2·2R/g) less a factor √2, and the speed √(2gR) of a fall by its
-/// radius; infinite and zero without gravity.
+/// The time √(2R/g) in which a ball falls by its radius, and the speed √(2gR) that it then has; both zero without gravity,
+/// where no friction presses balls together.
 fn fall<S: Scalar>(sphere: &Sphere<S>, cloth: &Cloth<S>) -> (S, S) {
     let two = S::from_f64(2.0);
     let time = if cloth.gravity > S::ZERO { (two * sphere.radius / cloth.gravity).sqrt() } else { S::ZERO };
@@ -175,11 +189,14 @@ fn nose_reach<S: Scalar>(sphere: &Sphere<S>, nose: &Nose<S>) -> NoseReach<S> {
     let height = nose.height.unwrap_or(sphere.radius);
     let sin = (height - sphere.radius) / sphere.radius;
     let cos = (S::ONE - sin.squared()).sqrt();
-    let reach = match nose.contact {
-        NoseContact::Nose => sphere.radius * cos,
-        NoseContact::Plan => sphere.radius,
+    let (reach, direction) = match nose.contact {
+        NoseContact::Nose => (sphere.radius * cos, (sin, cos)),
+        NoseContact::Plan => {
+            let slant = (S::ONE + sin.squared()).sqrt();
+            (sphere.radius, (sin / slant, S::ONE / slant))
+        }
     };
-    NoseReach { height, reach, sin, cos }
+    NoseReach { height, reach, tilt: (sin, cos), direction }
 }
 
 fn cushion_law<S: Scalar>(
@@ -273,6 +290,17 @@ fn slip<S: Scalar>(friction: &schema::SlipFriction, at: At<'_, S>) -> SlipFricti
             SlipFriction::BySlip { a: at("friction.a", *a), b: at("friction.b", *b), c: at("friction.c", *c) }
         }
     }
+}
+
+/// The numbers of the faces, straight ones first and longer ones before shorter ones.
+fn by_length<S: Scalar>(faces: &[Face<S>]) -> Vec<u32> {
+    let length = |number: &u32| match &faces[*number as usize] {
+        Face::Line(line) => line.length.to_f64(),
+        Face::Round(_) => 0.0,
+    };
+    let mut numbers: Vec<u32> = (0..faces.len() as u32).collect();
+    numbers.sort_by(|a, b| length(b).total_cmp(&length(a)));
+    numbers
 }
 
 fn place_ids<S: Scalar>(table: &Table<S>) -> Vec<String> {

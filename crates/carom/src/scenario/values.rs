@@ -5,12 +5,15 @@ use super::path::{Step, parse, path_of, step_into};
 use super::problem::{Findings, Problem, ScenarioError};
 use super::schema::Scenario;
 use super::structure::known_keys;
-use serde_json::{Map, Value};
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::borrow::Cow;
 
 impl Scenario {
     /// This scenario with some of its values changed, checked again; null takes a value out.
     ///
-    /// A known key that is absent may be set. All problems are reported: those of the paths, or else those of the
+    /// A known key that is absent may be set. A path that leads into a law of the preset or to a ball of the rack first writes
+    /// that law out, or an entry for that ball, so that the rest of it stays. All problems are reported: those of the paths, or else those of the
     /// changed scenario.
     ///
     /// ```
@@ -29,8 +32,10 @@ impl Scenario {
         let mut findings = Findings::default();
         for (path, value) in values {
             let path = path.as_ref();
+            let under = expanded(&changed);
             let set = parse(path).and_then(|steps| {
-                set(&mut changed, &steps, value).map_err(|message| Problem::new(path, message))
+                set(&mut changed, under.as_ref(), &steps, value)
+                    .map_err(|message| Problem::new(path, message))
             });
             if let Err(problem) = set {
                 findings.add(problem.place, problem.message);
@@ -40,7 +45,7 @@ impl Scenario {
         Self::from_value(&changed)
     }
 
-    /// The value at a path.
+    /// The value at a path: what is written there, or else what the preset or the rack gives.
     pub fn value(&self, path: &str) -> Result<Value, ScenarioError> {
         Ok(self.resolve(path)?.1)
     }
@@ -52,11 +57,21 @@ impl Scenario {
     }
 
     fn resolve(&self, path: &str) -> Result<(Vec<Step>, Value), ScenarioError> {
-        let whole = self.to_value()?;
         let steps = parse(path)?;
+        match self.expanded() {
+            Cow::Borrowed(scenario) => scenario.resolve_written(path, &steps),
+            Cow::Owned(expanded) => {
+                let written = self.resolve_written(path, &steps);
+                written.or_else(|problem| expanded.resolve_written(path, &steps).map_err(|_| problem))
+            }
+        }
+    }
+
+    fn resolve_written(&self, path: &str, steps: &[Step]) -> Result<(Vec<Step>, Value), ScenarioError> {
+        let whole = self.to_value()?;
         let mut value = &whole;
         let mut taken = Vec::new();
-        for step in &steps {
+        for step in steps {
             let Some((step, inner)) = step_into(value, step) else {
                 let message = why_not(value, step, &known_keys(&whole, &taken));
                 return Err(Problem::new(path, message).into());
@@ -68,25 +83,48 @@ impl Scenario {
     }
 }
 
-/// Puts a value at the end of a path; sets of keys on the way are made where they are absent.
-fn set(target: &mut Value, steps: &[Step], value: &Value) -> Result<(), String> {
+/// A scenario's value with its preset and its rack turned into plain keys, where it has one and can be read.
+fn expanded(value: &Value) -> Option<Value> {
+    let has_any = value.get("table").and_then(|table| table.get("preset")).or(value.get("rack")).is_some();
+    let scenario = if has_any { Scenario::deserialize(value).ok()? } else { return None };
+    scenario.expanded().to_value().ok()
+}
+
+/// Puts a value at the end of a path; sets of keys on the way are made where they are absent, laws and balls as they stand
+/// in the expanded scenario, which is `under`.
+fn set(target: &mut Value, under: Option<&Value>, steps: &[Step], value: &Value) -> Result<(), String> {
     let Some((step, rest)) = steps.split_first() else {
         *target = value.clone();
         return Ok(());
     };
+    let inside = under.and_then(|under| step_into(under, step)).map(|(_, inside)| inside);
     if let (Value::Object(keys), Step::Key(key)) = (&mut *target, step) {
         if let Some(Step::Index(_)) = rest.first()
             && !keys.contains_key(key)
         {
             return Err(format!("{key} is not set: give the whole list"));
         }
-        let inner = keys.entry(key.clone()).or_insert_with(|| Value::Object(Map::new()));
-        return set(inner, rest, value);
+        let inner = keys.entry(key.clone()).or_insert_with(|| beginning(inside));
+        return set(inner, inside, rest, value);
+    }
+    if let (Value::Array(items), Step::Key(id), Some(_)) = (&mut *target, step, inside)
+        && items.iter().all(|item| item.get("id").and_then(Value::as_str) != Some(id))
+    {
+        items.push(json!({ "id": id }));
     }
     let Some((Step::Index(index), _)) = step_into(target, step) else {
         return Err(why_not(target, step, &[]));
     };
-    set(&mut target[index], rest, value)
+    set(&mut target[index], inside, rest, value)
+}
+
+/// What an absent key begins with, on the way to a value inside it.
+fn beginning(under: Option<&Value>) -> Value {
+    match under {
+        Some(law) if law.get("law").is_some() => law.clone(),
+        Some(Value::Array(_)) => json!([]),
+        _ => json!({}),
+    }
 }
 
 /// Why a step leads nowhere.

@@ -32,6 +32,9 @@ const BALL_CUSHION: &[&str] = &[
     r#"{ "law": "damping", "factor": 0.0 }"#,
 ];
 
+/// Laws of balls with spin, which discs do not have: a check refuses them here.
+const WITH_SPIN: &[&str] = &["frictional", "mathavan_2014", "han_2005", "mathavan_2010", "stronge_compliant"];
+
 /// Contacts tried of each law.
 const CONTACTS: u64 = 300;
 
@@ -154,13 +157,17 @@ fn image_of([x, y]: [f64; 2], image: &[[f64; 2]; 2]) -> [f64; 2] {
 }
 
 #[test]
-fn every_law_that_a_scenario_can_name_is_in_the_table() {
+fn every_law_that_a_scenario_of_discs_can_name_is_in_the_table() {
     for (definition, table) in [("BallBall", BALL_BALL), ("BallCushion", BALL_CUSHION)] {
         let choices = json_schema()["$defs"][definition]["oneOf"].as_array().unwrap();
         for choice in choices {
             let name = choice["properties"]["law"]["const"].as_str().unwrap();
             let has = |text: &&str| text.contains(&format!("\"law\": \"{name}\""));
-            assert!(table.iter().any(has), "{definition} {name:?} is not in the table of invariants");
+            let is_here = table.iter().any(has);
+            assert!(
+                is_here != WITH_SPIN.contains(&name),
+                "{definition} {name:?} is not in the table of invariants"
+            );
         }
         assert!(choices.len() > 1);
     }

@@ -8,19 +8,25 @@
     clippy::print_stdout
 )]
 
+mod ball_ball_with_spin;
 mod closed_forms;
 mod clusters;
 mod conservation;
 mod continuation;
 mod corners;
+mod cue_strike;
+mod cushions_with_spin;
 mod double_double;
+
 mod dual;
 mod extremes;
 mod fast_path;
 mod heaps;
 mod hertz;
+mod hertz_invariants;
 mod kit;
 mod laws;
+mod laws_with_spin;
 mod leaks;
 mod midterm;
 mod references;

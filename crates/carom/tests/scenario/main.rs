@@ -4,8 +4,12 @@
 
 mod boundary;
 mod check;
+mod cloth;
 mod common;
+mod equipment;
 mod files;
+mod pocket_tables;
+mod racks;
 mod stories;
 mod structure;
 mod table_layout;

@@ -27,7 +27,7 @@ pub(super) fn detect_ball<S: Scalar>(
     let (after_a, after_b) = (start - a.start(), start - b.start());
     let position = b.position_after(after_b) - a.position_after(after_a);
     let velocities = [a.velocity_after(after_a), b.velocity_after(after_b)];
-    let acceleration = acceleration(b) - acceleration(a);
+    let acceleration = b.acceleration() - a.acceleration();
     let gap = position.norm_squared() - radii.squared();
     let slope = position.dot(velocities[1] - velocities[0]);
     let tolerance = S::from_f64(2.0) * radii * tolerance.of(radii);
@@ -37,10 +37,6 @@ pub(super) fn detect_ball<S: Scalar>(
         gap.coefficients[1] = gap.coefficients[1] - gap.coefficients[1].detached();
     }
     first_contact(&gap, tolerance, |offset| offset <= horizon)
-}
-
-fn acceleration<S: Scalar>(flight: &SphereFlight<S>) -> Vec3<S> {
-    Vec3::above(flight.plan.acceleration, flight.lift)
 }
 
 fn size<S: Scalar>(v: Vec3<S>) -> S {

@@ -2,8 +2,8 @@
 
 use crate::detect::{Surroundings, detect_ball_ball, detect_ball_cushion};
 use crate::flight::{Flight, SphereFlight};
-use crate::geometry::Vec2;
-use crate::model::{ContactTolerance, Face, Hole, Round};
+use crate::geometry::{Bounds, Vec2};
+use crate::model::{ContactTolerance, Face, Hole};
 use crate::scalar::Scalar;
 
 /// Two balls on the cloth, whose centres are `2 √(R₁ R₂)` apart in plan when they touch.
@@ -28,7 +28,8 @@ fn contact_distance<S: Scalar>(radius_a: S, radius_b: S) -> S {
     if radius_a == radius_b { radius_a + radius_b } else { S::from_f64(2.0) * (radius_a * radius_b).sqrt() }
 }
 
-/// Whether two flights stay further apart than `distance` for the time `horizon`: they part, or have not the time to meet.
+/// Whether two flights stay further apart than `distance` for the time `horizon`: they part, or the path of one as seen
+/// from the other stays clear.
 #[inline(always)]
 fn are_apart<S: Scalar>(a: &Flight<S>, b: &Flight<S>, distance: S, horizon: S) -> bool {
     let start = a.later_start(b);
@@ -36,17 +37,16 @@ fn are_apart<S: Scalar>(a: &Flight<S>, b: &Flight<S>, distance: S, horizon: S) -
     let between = b.position_after(after_b) - a.position_after(after_a);
     let velocity = b.velocity_after(after_b) - a.velocity_after(after_a);
     let acceleration = b.acceleration - a.acceleration;
-    let reach = path_bound(velocity, acceleration, horizon) + distance * S::from_f64(1.0 + 1e-6);
+    let distance = distance * S::from_f64(1.0 + 1e-6);
     let parts = between.dot(velocity) > S::ZERO && between.dot(acceleration) >= S::ZERO;
-    let squared = between.norm_squared();
-    squared > reach.squared() || (parts && squared > distance.squared() * S::from_f64(1.0 + 1e-6))
-}
-
-/// A length that a flight does not exceed in a time.
-#[inline(always)]
-fn path_bound<S: Scalar>(velocity: Vec2<S>, acceleration: Vec2<S>, time: S) -> S {
-    let size = |v: Vec2<S>| v.x.abs() + v.y.abs();
-    (size(velocity) + size(acceleration) * time * S::from_f64(0.5)) * time
+    if parts && between.norm_squared() > distance.squared() {
+        return true;
+    }
+    if horizon >= S::INFINITY {
+        return false;
+    }
+    let path = Bounds::of_path(between, velocity, acceleration, horizon);
+    path.is_apart(&Bounds { min: Vec2::ZERO, max: Vec2::ZERO }, distance)
 }
 
 /// The offset at which a ball on the cloth meets a cushion, whose nose it touches at the distance `reach` in plan.
@@ -76,17 +76,8 @@ fn is_far<S: Scalar>(flight: &Flight<S>, reach: S, face: &Face<S>, length: S) ->
             let gap = line.height(flight.position) - reach;
             gap > S::ZERO && gap + (closing(slope) + closing(bend) * length) * length > S::ZERO
         }
-        Face::Round(round) => is_out_of_reach(flight, reach, round, length),
+        Face::Round(_) => false,
     }
-}
-
-#[inline(always)]
-fn is_out_of_reach<S: Scalar>(flight: &Flight<S>, reach: S, round: &Round<S>, length: S) -> bool {
-    if round.is_hollow() {
-        return false;
-    }
-    let far = path_bound(flight.velocity, flight.acceleration, length) + round.arc.radius + reach;
-    (flight.position - round.arc.center).norm_squared() > far.squared()
 }
 
 /// The offset at which the centre of a ball on the cloth comes over a pocket.

@@ -15,19 +15,20 @@ use crate::flight::{Motion, SphereFlight};
 use crate::model::ContactTolerance;
 use crate::scalar::Scalar;
 
-/// The offset, from the later start of the two flights, at which two balls meet; `None` when they never do on these
-/// flights. `radii` are the balls'. Notes contact and overlap at the start in `seen`.
+/// The offset, from the later start of the two flights, at which two balls meet; `None` when they do not on these flights,
+/// or not before `until`. `radii` are the balls'. Notes contact and overlap at the start in `seen`.
 pub fn detect_spheres<S: Scalar>(
     a: &SphereFlight<S>,
     b: &SphereFlight<S>,
     radii: [S; 2],
     tolerance: &ContactTolerance<S>,
+    until: S,
     seen: &mut Surroundings<S>,
 ) -> Option<S> {
     if a.motion.is_still() && b.motion.is_still() {
         return None;
     }
-    let horizon = common_length(a, b);
+    let horizon = common_length(a, b, until);
     if a.motion == Motion::Airborne || b.motion == Motion::Airborne {
         air::detect_ball(a, b, radii[0] + radii[1], tolerance, horizon)
     } else {
@@ -35,9 +36,11 @@ pub fn detect_spheres<S: Scalar>(
     }
 }
 
-/// How long both flights last, from the later of their starts.
-fn common_length<S: Scalar>(a: &SphereFlight<S>, b: &SphereFlight<S>) -> S {
+/// How long both flights last, from the later of their starts, up to a time; an event at that very time counts.
+fn common_length<S: Scalar>(a: &SphereFlight<S>, b: &SphereFlight<S>, until: S) -> S {
     let start = a.plan.later_start(&b.plan);
     let (left_a, left_b) = (a.length - (start - a.start()), b.length - (start - b.start()));
-    if left_a < left_b { left_a } else { left_b }
+    let length = if left_a < left_b { left_a } else { left_b };
+    let left = (until - start) + until.abs() * S::from_f64(4.0 * S::EPSILON);
+    if left < length { left } else { length }
 }

@@ -1,7 +1,7 @@
 //! Several balls in touch when one of them is struck.
 
 use super::Spheres;
-use super::contact::{Present, by_place, contact_event};
+use super::contact::{Present, by_place, contact_event, threshold};
 use super::ending::Cause;
 use crate::geometry::Vec3;
 use crate::law::ball_ball::SphereLaw;
@@ -15,6 +15,9 @@ use crate::scenario::schema::Cluster;
 
 /// A gap up to this many contact tolerances counts as a contact when a ball of it is struck.
 const HAIR: f64 = 1e4;
+
+/// The part of v_c up to which balls that touch are pressed together rather than struck.
+const CREEP: f64 = 0.01;
 
 type Bodies<S> = Vec<Body<S, Vec3<S>>>;
 type Touches<S> = Vec<Touch<S, Vec3<S>, SphereLaw<S>>>;
@@ -33,11 +36,11 @@ impl<S: Scalar> Spheres<S> {
         }
         let mut bodies: Bodies<S> =
             members.iter().map(|m| Body::new(m.twist.velocity, m.sphere.inverse_mass)).collect();
-        let mut touches = self.touches(&members);
-        self.resolve_normal(&mut bodies, &mut touches);
-        if touches.iter().all(|touch| touch.impulse <= S::ZERO) {
+        let mut touches = self.touches(&members, time);
+        if !touches.iter().any(|touch| self.is_closing(&members, touch)) {
             return false;
         }
+        self.resolve_normal(&mut bodies, &mut touches);
         let mut twists: Vec<Twist<S>> = members.iter().map(|m| m.twist).collect();
         if self.rub(&members, &touches, &mut bodies, &mut twists) {
             self.resolve_normal(&mut bodies, &mut touches);
@@ -78,7 +81,7 @@ impl<S: Scalar> Spheres<S> {
     }
 
     /// The contacts of the members, in order of place.
-    fn touches(&self, members: &[Present<S>]) -> Touches<S> {
+    fn touches(&self, members: &[Present<S>], time: S) -> Touches<S> {
         let mut touches = Vec::new();
         for (first, a) in members.iter().enumerate() {
             for (second, b) in members.iter().enumerate().skip(first + 1) {
@@ -86,7 +89,7 @@ impl<S: Scalar> Spheres<S> {
                     let normal = (b.position - a.position).unit();
                     let touch = Touch {
                         effective_radius: effective_radius(a.sphere.radius, Some(b.sphere.radius)),
-                        kept_speed: self.kept_speed(a.ball, Some(b.ball)),
+                        kept_speed: self.kept_speed(a.ball, Some(b.ball), time),
                         ..Touch::new(first, Some(second), normal, self.system.ball_ball)
                     };
                     touches.push(touch);
@@ -94,6 +97,15 @@ impl<S: Scalar> Spheres<S> {
             }
         }
         touches
+    }
+
+    /// Whether the balls of a contact move into each other, and are not only pressed together: such pairs are let hop one
+    /// by one.
+    fn is_closing(&self, members: &[Present<S>], touch: &Touch<S, Vec3<S>, SphereLaw<S>>) -> bool {
+        let pair = [members[touch.a], members[touch.b.unwrap_or(touch.a)]];
+        let speed = (pair[0].twist.velocity - pair[1].twist.velocity).dot(touch.normal);
+        let creep = self.system.kept_speeds[pair[0].ball] * S::from_f64(CREEP);
+        speed > threshold(&pair) + creep
     }
 
     fn resolve_normal(

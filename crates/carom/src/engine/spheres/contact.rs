@@ -1,6 +1,7 @@
 //! Two balls meet.
 
 use super::ending::{Cause, size};
+use super::hop::{hop_apart, stop};
 use super::{Ball, Spheres};
 use crate::engine::interface::Fault;
 use crate::flight::{Motion, SphereFlight};
@@ -14,6 +15,9 @@ use core::cmp::Ordering;
 
 /// Events of one ball within the collapse time after which a run is given up.
 const BURST_LIMIT: u32 = 1000;
+
+/// Contacts of one ball within the collapse time after which it counts as jammed if it is slow.
+const JAM_LIMIT: u32 = 100;
 
 /// A ball at the instant of a contact.
 #[derive(Clone, Copy, Debug)]
@@ -57,18 +61,17 @@ impl<S: Scalar> Spheres<S> {
             pair.swap(0, 1);
         }
         if !self.strike_cluster(&pair, time, observer) {
-            let meeting = self.meeting(pair);
+            let meeting = self.meeting(pair, time);
             self.resolve_meeting(&meeting, time, observer);
         }
     }
 
-    fn meeting(&self, balls: [Present<S>; 2]) -> Meeting<S> {
+    fn meeting(&self, balls: [Present<S>; 2], time: S) -> Meeting<S> {
         let [a, b] = &balls;
         let normal = (b.position - a.position).unit();
         let closing_speed = (a.twist.velocity - b.twist.velocity).dot(normal);
-        let scale = size(&a.sphere, &a.twist) + size(&b.sphere, &b.twist);
-        let kept_speed = self.kept_speed(a.ball, Some(b.ball));
-        let impact = if closing_speed > scale * S::from_f64(16.0 * S::EPSILON) {
+        let kept_speed = self.kept_speed(a.ball, Some(b.ball), time);
+        let impact = if closing_speed > threshold(&balls) {
             let law = &self.system.ball_ball;
             let restitution = restitution_keeping(law.restitution(closing_speed), kept_speed, closing_speed);
             let on_cloth = [a, b].map(|present| self.balls[present.ball].flight.motion != Motion::Airborne);
@@ -76,19 +79,54 @@ impl<S: Scalar> Spheres<S> {
                 SpherePair { spheres: [a.sphere, b.sphere], normal, twists: [a.twist, b.twist], on_cloth };
             law.impact(&pair, restitution)
         } else {
-            let twists = [(a.sphere, a.twist), (b.sphere, b.twist)];
-            hop(twists, normal, kept_speed + closing_speed)
+            SphereImpact { twists: [a.twist, b.twist], impulse: S::ZERO }
         };
-        Meeting { balls, normal, closing_speed, impact }
+        let mut meeting = Meeting { balls, normal, closing_speed, impact };
+        if balls.iter().any(|ball| self.is_jammed(ball, time)) {
+            meeting.impact.twists.iter_mut().for_each(stop);
+        } else {
+            self.let_hop(&mut meeting, time);
+        }
+        meeting
+    }
+
+    /// Two balls that are pressed together, because one brakes harder, part with a hop that lasts t_c at least, and with
+    /// more than round-off in any case; else they would meet without end.
+    fn let_hop(&self, meeting: &mut Meeting<S>, time: S) {
+        let [a, b] = self.flights_of(meeting, time).map(|(_, flight)| flight);
+        let normal = meeting.normal;
+        let pull = (a.acceleration() - b.acceleration()).dot(normal);
+        let round_off = threshold(&meeting.balls) * S::from_f64(4.0);
+        let hop_speed = pull * self.hop_time(&meeting.balls);
+        let least = if hop_speed > round_off { hop_speed } else { round_off };
+        let parting = b.velocity_after(S::ZERO) - a.velocity_after(S::ZERO);
+        let lacking = least - parting.dot(normal);
+        if lacking > S::ZERO {
+            let spheres = meeting.balls.map(|ball| ball.sphere);
+            let SphereImpact { twists, impulse } = meeting.impact;
+            let hop = hop_apart([(spheres[0], twists[0]), (spheres[1], twists[1])], meeting.normal, lacking);
+            meeting.impact = SphereImpact { twists: hop.twists, impulse: impulse + hop.impulse };
+        }
+    }
+
+    /// Half the time that a hop lasts at least: t_c/2.
+    fn hop_time(&self, balls: &[Present<S>; 2]) -> S {
+        let [a, b] = balls.map(|ball| self.system.hop_times[ball.ball]);
+        (if b < a { b } else { a }) * S::from_f64(0.5)
+    }
+
+    fn flights_of(&self, meeting: &Meeting<S>, time: S) -> [(usize, SphereFlight<S>); 2] {
+        let flight = |k: usize| {
+            let Present { ball, position, twist, .. } = &meeting.balls[k];
+            let after = meeting.impact.twists[k];
+            (*ball, self.flight_after(*ball, time, *position, twist, after, Cause::Blow))
+        };
+        [flight(0), flight(1)]
     }
 
     fn resolve_meeting(&mut self, meeting: &Meeting<S>, time: S, observer: &mut impl Observer<S, OnCloth>) {
         let Meeting { balls: [a, b], impact, .. } = meeting;
-        let [after_a, after_b] = impact.twists;
-        let flights = [
-            (a.ball, self.flight_after(a.ball, time, a.position, &a.twist, after_a, Cause::Blow)),
-            (b.ball, self.flight_after(b.ball, time, b.position, &b.twist, after_b, Cause::Blow)),
-        ];
+        let flights = self.flights_of(meeting, time);
         self.note_distance(meeting);
         self.note_contact(a.ball, time);
         self.note_contact(b.ball, time);
@@ -106,16 +144,24 @@ impl<S: Scalar> Spheres<S> {
         }
     }
 
-    /// The speed with which two balls, or a ball and a cushion, part at least, unless they met with less.
-    pub(super) fn kept_speed(&self, ball: usize, other: Option<usize>) -> S {
+    /// The speed up to which a contact loses nothing: v_c within t_c of another of its balls, else none. So no ball meets
+    /// others without end in a finite time.
+    pub(super) fn kept_speed(&self, ball: usize, other: Option<usize>, time: S) -> S {
         let speeds = &self.system.kept_speeds;
-        let (own, other) = (speeds[ball], speeds[other.unwrap_or(ball)]);
-        if other < own { other } else { own }
+        let is_in_burst =
+            |ball: usize| time - self.balls[ball].track.last_contact < self.system.hop_times[ball];
+        let (own, other_ball) = (speeds[ball], other.unwrap_or(ball));
+        if is_in_burst(ball) || is_in_burst(other_ball) {
+            if speeds[other_ball] < own { speeds[other_ball] } else { own }
+        } else {
+            S::ZERO
+        }
     }
 
     /// Notes that a ball had a contact; if such follow each other too fast, that is a fault.
     pub(super) fn note_contact(&mut self, ball: usize, time: S) {
         let track = &mut self.balls[ball].track;
+        track.last_contact = time;
         track.burst += 1;
         if track.burst > BURST_LIMIT {
             if time - track.burst_start <= self.system.collapse_times[ball] {
@@ -123,6 +169,14 @@ impl<S: Scalar> Spheres<S> {
             }
             (track.burst_start, track.burst) = (time, 0);
         }
+    }
+
+    /// Whether a ball is jammed: slower than v_c, it has met others and cushions again and again within the collapse time.
+    pub(super) fn is_jammed(&self, ball: &Present<S>, time: S) -> bool {
+        let (track, slow) = (&self.balls[ball.ball].track, self.system.kept_speeds[ball.ball]);
+        track.burst > JAM_LIMIT
+            && time - track.burst_start <= self.system.collapse_times[ball.ball]
+            && ball.twist.velocity.norm_squared() < slow.squared()
     }
 
     /// Accounts for what a blow did to the energy of balls that then begin these flights.
@@ -153,32 +207,10 @@ impl<S: Scalar> Spheres<S> {
     }
 }
 
-/// What becomes of two balls that are pressed together without closing: they part with a hop too low to see, paid for by
-/// all their motion, so that the energy stays.
-fn hop<S: Scalar>(balls: [(Sphere<S>, Twist<S>); 2], normal: Vec3<S>, speed: S) -> SphereImpact<S> {
-    let [(a, twist_a), (b, twist_b)] = balls;
-    let impulse = speed / (a.inverse_mass + b.inverse_mass);
-    let mut twists = [
-        twist_a.after_impulse(&a, normal, -normal * impulse),
-        twist_b.after_impulse(&b, -normal, normal * impulse),
-    ];
-    let before = a.kinetic_energy(&twist_a) + b.kinetic_energy(&twist_b);
-    let after = a.kinetic_energy(&twists[0]) + b.kinetic_energy(&twists[1]);
-    pay(&mut twists, before, after);
-    SphereImpact { twists, impulse }
-}
-
-/// Slows all motion until the energy is what it was.
-pub(super) fn pay<S: Scalar>(twists: &mut [Twist<S>], before: S, after: S) {
-    if after <= before {
-        return;
-    }
-    // One rounding less than all of it, so that the energy does not rise by one.
-    let factor = (before / after).sqrt() * S::from_f64(1.0 - 4.0 * f64::EPSILON);
-    for twist in twists {
-        twist.velocity = twist.velocity * factor;
-        twist.spin = twist.spin * factor;
-    }
+/// The closing speed that is not told from none: sixteen round-offs of the speeds that it is the difference of.
+pub(super) fn threshold<S: Scalar>(balls: &[Present<S>]) -> S {
+    let speeds = balls.iter().fold(S::ZERO, |sum, ball| sum + size(&ball.sphere, &ball.twist));
+    speeds * S::from_f64(16.0 * S::EPSILON)
 }
 
 /// The row of a contact of two balls given in order of place; in it the one with the lower number comes first.

@@ -1,15 +1,16 @@
 //! A ball meets a cushion.
 
-use super::contact::pay;
-use super::ending::{Cause, size};
+use super::contact::{Present, threshold};
+use super::ending::Cause;
+use super::hop::{hop_away, stop};
 use super::{Ball, Spheres};
-use crate::flight::Motion;
-use crate::geometry::{Vec2, Vec3};
+use crate::flight::{Motion, SphereFlight};
+use crate::geometry::Vec3;
 use crate::law::ball_cushion::CushionHit;
 use crate::law::collapse::restitution_keeping;
 use crate::model::Twist;
 use crate::run::{Event, Kind, Observer, OnCloth};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, other_leg};
 
 impl<S: Scalar> Spheres<S> {
     /// A ball meets the nose of a cushion.
@@ -25,16 +26,25 @@ impl<S: Scalar> Spheres<S> {
         let hit = self.hit(ball, cushion, present.position, present.twist);
         let normal = hit.contact_normal();
         let closing_speed = hit.closing_speed();
-        let scale = size(&hit.sphere, &hit.twist);
-        let kept_speed = self.kept_speed(ball, None);
-        let after = if closing_speed > scale * S::from_f64(16.0 * S::EPSILON) {
+        let kept_speed = self.kept_speed(ball, None, time);
+        let after = if closing_speed > threshold(&[present]) {
             let law = &self.system.cushion_laws[cushion as usize];
             let restitution = restitution_keeping(law.restitution(closing_speed), kept_speed, closing_speed);
             law.rebound(&hit, restitution)
         } else {
-            hop(&hit, kept_speed + closing_speed)
+            hit.twist
         };
-        let flight = self.flight_after(ball, time, present.position, &hit.twist, after, Cause::Cushion);
+        let new_flight =
+            |after| self.flight_after(ball, time, present.position, &hit.twist, after, Cause::Cushion);
+        let after = match self.lacking_speed(&present, &new_flight(after), hit.closing_normal()) {
+            Some(lacking) => hop_away(&hit.sphere, after, hit.closing_normal(), lacking),
+            None => after,
+        };
+        let mut after = after;
+        if self.is_jammed(&present, time) {
+            stop(&mut after);
+        }
+        let flight = new_flight(after);
         let impulse = (after.velocity - hit.twist.velocity).dot(normal) * hit.sphere.mass;
         self.note_contact(ball, time);
         self.account_for_contact(ball, &hit.twist, &flight);
@@ -54,32 +64,30 @@ impl<S: Scalar> Spheres<S> {
         self.emit(&event, observer);
     }
 
+    /// What a ball that is pulled onto a cushion lacks of the speed of a hop that lasts t_c, and any of more than round-off.
+    fn lacking_speed(&self, ball: &Present<S>, flight: &SphereFlight<S>, normal: Vec3<S>) -> Option<S> {
+        let pull = -flight.acceleration().dot(normal);
+        let hop_speed = pull * self.system.hop_times[ball.ball] * S::from_f64(0.5);
+        let round_off = threshold(&[*ball]) * S::from_f64(4.0);
+        let least = if hop_speed > round_off { hop_speed } else { round_off };
+        let lacking = least - flight.velocity_after(S::ZERO).dot(normal);
+        (lacking > S::ZERO).then_some(lacking)
+    }
+
     /// A ball at the nose of a cushion.
     fn hit(&self, ball: usize, cushion: u32, position: Vec3<S>, twist: Twist<S>) -> CushionHit<S> {
         let Ball { flight, sphere, .. } = self.balls[ball];
         let (normal, _) = self.system.faces[cushion as usize].normal_at(position.plan());
         let is_airborne = flight.motion == Motion::Airborne;
         let nose = &self.system.noses[ball];
-        let sin = if is_airborne { (nose.height - position.z) / sphere.radius } else { nose.sin };
-        let sin = if sin > S::ONE {
-            S::ONE
-        } else if sin < -S::ONE {
-            -S::ONE
+        let (sin, cos) = if is_airborne {
+            let sin = (nose.height - position.z) / sphere.radius;
+            (sin, other_leg(sin))
+        } else if self.system.cushion_laws[cushion as usize].acts_towards_nose() {
+            nose.direction
         } else {
-            sin
+            nose.tilt
         };
-        let cos = if is_airborne { (S::ONE - sin.squared()).sqrt() } else { nose.cos };
         CushionHit { sphere, normal, sin, cos, twist, is_airborne }
     }
-}
-
-/// What becomes of a ball that is pressed against a cushion without closing: it parts with a hop too low to see, paid for
-/// by all its motion.
-fn hop<S: Scalar>(hit: &CushionHit<S>, speed: S) -> Twist<S> {
-    let push = hit.normal * speed;
-    let velocity = hit.twist.velocity + Vec3::above(Vec2::new(push.x, push.y), S::ZERO);
-    let mut twists = [Twist { velocity, ..hit.twist }];
-    let (before, after) = (hit.sphere.kinetic_energy(&hit.twist), hit.sphere.kinetic_energy(&twists[0]));
-    pay(&mut twists, before, after);
-    twists[0]
 }

@@ -28,7 +28,7 @@ impl<S: Scalar> Spheres<S> {
         let scale = size(sphere, &twist);
         let twist = Self::settled(system, sphere, position, twist, Cause::Blow);
         let flight = system.cloth.begin(sphere, S::ZERO, position, twist, scale);
-        Ball { flight, sphere: *sphere, track: SphereTrack { changes: 0, burst_start: S::ZERO, burst: 0 } }
+        Ball { flight, sphere: *sphere, track: SphereTrack::new() }
     }
 
     /// The motion of a ball once the cloth has had its say: it lets no ball sink, and hops too low to see are left out.

@@ -8,6 +8,7 @@ mod cluster;
 mod contact;
 mod cushion;
 mod ending;
+mod hop;
 mod pocket;
 mod predict;
 mod shot;

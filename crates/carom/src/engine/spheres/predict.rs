@@ -8,9 +8,37 @@ use crate::detect::{
 use crate::engine::interface::Fault;
 use crate::engine::queue::{Aim, Pending};
 use crate::engine::simulation::Coming;
-use crate::flight::Motion;
+use crate::flight::{Flight, Motion, SphereFlight};
+use crate::geometry::Bounds;
 use crate::run::Kind;
 use crate::scalar::Scalar;
+
+/// The box around a flight up to a time, so that what lies apart from it need not be looked at.
+struct Path<S> {
+    until: S,
+    bounds: Option<Bounds<S>>,
+}
+
+impl<S: Scalar> Path<S> {
+    fn new(flight: &SphereFlight<S>, until: S) -> Self {
+        let time = until - flight.start();
+        let Flight { position, velocity, acceleration, .. } = flight.plan;
+        let is_finite = time < S::INFINITY;
+        let bounds = is_finite.then(|| Bounds::of_path(position, velocity, acceleration, time));
+        Self { until, bounds }
+    }
+
+    fn shorten(&mut self, flight: &SphereFlight<S>, until: S) {
+        if until < self.until {
+            *self = Self::new(flight, until);
+        }
+    }
+
+    #[inline(always)]
+    fn is_apart(&self, bounds: &Bounds<S>, distance: S) -> bool {
+        self.bounds.as_ref().is_some_and(|path| path.is_apart(bounds, distance))
+    }
+}
 
 /// A ball that flies over a pocket drops into it if its centre is lower than this many radii where it comes to the far
 /// side: the back of the pocket stops it.
@@ -57,12 +85,21 @@ impl<S: Scalar> Spheres<S> {
         let tolerance = system.tolerance.of(sphere.radius);
         let reach = system.noses[ball].reach;
         let (start, mut next) = (flight.start(), next);
-        for (number, face) in system.faces.iter().enumerate() {
-            let mut seen = Surroundings::CLEAR;
+        let clearance = reach + tolerance * S::from_f64(2.0);
+        let mut path = Path::new(flight, next.time);
+        for &number in &system.by_length {
+            if path.is_apart(&system.boxes[number as usize], clearance) {
+                continue;
+            }
+            let (face, mut seen) = (&system.faces[number as usize], Surroundings::CLEAR);
             let offset = detect_nose(flight, reach, face, tolerance, &mut seen);
-            next = self.sooner(ball, next, start, offset, Ahead::Cushion(number as u32));
+            next = self.sooner(ball, next, start, offset, Ahead::Cushion(number));
+            path.shorten(flight, next.time);
         }
         for (number, hole) in system.holes.iter().enumerate() {
+            if path.is_apart(&hole.bounds(), clearance) {
+                continue;
+            }
             let offset = detect_pocket(flight, hole, tolerance);
             next = self.sooner(ball, next, start, offset, Ahead::Pocket(number as u32));
         }
@@ -104,7 +141,7 @@ impl<S: Scalar> Spheres<S> {
             }
             let radii = [sphere.radius, their.sphere.radius];
             if let Some(offset) =
-                detect_spheres(&flight, &their.flight, radii, &self.system.tolerance, &mut seen)
+                detect_spheres(&flight, &their.flight, radii, &self.system.tolerance, next.time, &mut seen)
             {
                 let start = flight.plan.later_start(&their.flight.plan);
                 next = self.sooner(

@@ -62,10 +62,6 @@ impl<S: Scalar> Mathavan2014<S> {
         let (twists, impulse) = follow(&meeting, pair.twists, restitution);
         SphereImpact { twists, impulse }
     }
-
-    pub(super) fn is_lossless(&self) -> bool {
-        self.normal == S::ONE && self.friction.is_zero()
-    }
 }
 
 impl<'a, S: Scalar> Meeting<'a, S> {

@@ -79,6 +79,12 @@ impl<S: Scalar> SphereLaw<S> {
         }
     }
 
+    /// Whether the blow goes from the nose to the centre of the ball; other laws go by the height of the nose alone. Where a
+    /// ball touches the nose itself that is the same.
+    pub fn acts_towards_nose(&self) -> bool {
+        matches!(self, Self::Frictional(_) | Self::StrongeCompliant(_))
+    }
+
     /// Its sources.
     pub fn references(&self) -> &'static [Reference] {
         match self {
@@ -90,16 +96,12 @@ impl<S: Scalar> SphereLaw<S> {
         }
     }
 
-    /// Whether no contact loses any energy.
+    /// Whether no contact loses any energy. Laws that leave a part to the cloth may lose some without friction of their own.
     pub fn is_lossless(&self) -> bool {
         match self {
             Self::Restitution(law) => law.is_lossless(),
-            Self::Frictional(Frictional { normal, friction })
-            | Self::Han2005(Han2005 { normal, friction })
-            | Self::Mathavan2010(Mathavan2010 { normal, friction })
-            | Self::StrongeCompliant(StrongeCompliant { normal, friction, .. }) => {
-                normal.is_one() && friction.is_zero()
-            }
+            Self::Frictional(law) => law.normal.is_one() && law.friction.is_zero(),
+            Self::Han2005(_) | Self::Mathavan2010(_) | Self::StrongeCompliant(_) => false,
         }
     }
 }

@@ -25,7 +25,7 @@
 //!
 //! Source: Stronge (2000), chapter 5. *Departs from source*: below e = 1/r what slips while unloading never sticks, and
 //! what slips slower than β w before has stuck by then. The formula in use, slip throughout above
-//! `w (β (1 + e) − η²/e)`, ends the second range too early. The vertical part of the blow is left to the cloth.
+//! `w (β (1 + e) − η²/e)`, calls that slip throughout. The vertical part of the blow is left to the cloth.
 
 use super::CushionHit;
 use crate::geometry::Vec3;
@@ -46,7 +46,7 @@ pub(super) const REFERENCES: &[Reference] = &[Reference {
 /// β of a uniform sphere.
 const BETA: f64 = 3.5;
 
-/// Steps to the end of sticking. Bisection alone would need fewer.
+/// Most steps to the end of sticking: as many as bisection needs for the last bit.
 const SEARCH_STEPS: usize = 60;
 
 /// Parameters of the law.

@@ -2,25 +2,32 @@
 //!
 //! A contact whose bodies have come together by δ beyond touching pushes them apart with Hertz's force, `k δ^(3/2)`,
 //! where k goes as the root of the effective radius. The stiffer the balls, the shorter it takes; in the limit nothing
-//! moves meanwhile, so places and normals stay as they are, and only the δ and the velocities change. What comes out
-//! depends neither on the stiffness, which all balls share, nor on the unit of speed. Unlike in a sequence of
-//! collisions a ball is pushed by all its neighbours at once: three in a row part with −0.0710, 0.0764 and 0.9945 of
-//! the speed of the first.
+//! moves meanwhile: places and normals stay as they are, only the δ and the velocities change. What comes out depends
+//! neither on the stiffness, which all balls share, nor on the unit of speed. A ball is pushed by all its neighbours at
+//! once, so that three in a row part with −0.0710, 0.0764 and 0.9945 of the speed of the first.
 //!
-//! When a contact stops closing it loses `1 − e²` of the work done on it since it began to, and its δ falls to what the
-//! rest is worth: then it opens. Alone it parts with e times its closing speed, whatever e and the masses. A contact that is
-//! pushed shut from rest has no closing speed; its e is that of the speed at which two bodies by themselves would do the
-//! same work. So energy is lost, never gained.
+//! When a contact stops closing it loses `1 − e²` of the work done on it since it began to close, δ falls to what the
+//! rest is worth, and it opens. So energy is lost, never gained, and a contact by itself parts with e times its closing
+//! speed. The speed at which e is asked for is that at which the two bodies by themselves would do the same work; one
+//! that is pushed shut from rest has no other. Contacts that have opened and close again collide again.
 //!
-//! The velocities take leapfrog steps, a fixed number to a contact's duration. Forces change by one power of two thirds
-//! there, so the steps leave an error; all impulses are scaled in the end by the factor near one that gives the energy
-//! its value to the last bit.
+//! Leapfrog steps, a fixed number to a contact's duration, leave an error of some 1e-5; in the end all impulses are
+//! scaled by the factor, near one, that gives the energy its exact value. Where balls lose nearly everything, contacts
+//! close anew at each step and the error is of the first order, 1e-3 or so.
 //!
-//! Sources: Hertz (1882) for the force; Stronge (1990), from the abstract, for a coefficient of restitution that is a ratio of energies; Patrício
-//! (2004) for chains of balls. *Departs from source*: the limit of stiff balls; the loss at the end of closing; a last
-//! pass without restitution where the number of steps has run out.
+//! Sources: Hertz (1882) for the force; Patrício (2004) for its limit in rows of balls; Stronge (1990), from the
+//! abstract, for restitution as a ratio of the work done in opening and in closing. *Departs from source*: many
+//! contacts, the loss all at once at the end of closing, and where the steps have run out a last pass without
+//! restitution.
+//!
+//! | symbol | meaning |
+//! |---|---|
+//! | δ | how far two bodies have come together since they touched; after they have parted, minus the gap |
+//! | e | coefficient of restitution |
+//! | k | stiffness; the unit of time is chosen so that the hardest contact takes [`DURATION`] at the greatest speed |
 
 use super::reflections::force_open;
+use super::spring::{Spring, fifth_root, larger};
 use super::{Body, PASSES_PER_BALL, Passes, Touch, TouchLaw, closing_touches};
 use crate::geometry::Vector;
 use crate::law::Reference;
@@ -89,6 +96,7 @@ pub fn resolve_hertz<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
 /// All contacts from the first closing until none closes any more.
 struct Collision<S, V> {
     springs: Vec<Spring<S, V>>,
+    /// Velocity of each body, and one over its mass.
     bodies: Vec<(V, S)>,
     /// The greatest closing speed at first; nothing closes that does so with its round-off only.
     speed: S,
@@ -109,9 +117,10 @@ impl<S: Scalar, V: Vector<S>> Collision<S, V> {
             return None;
         }
         let mut springs: Vec<_> = touches.iter().map(|touch| Spring::new(touch, bodies)).collect();
-        let softest = springs.iter().fold(S::ZERO, |most, spring| larger(most, spring.stiffness));
+        // A point would have no stiffness at all.
+        let largest = springs.iter().fold(S::ZERO, |most, spring| larger(most, spring.stiffness));
         for spring in springs.iter_mut().filter(|spring| spring.stiffness == S::ZERO) {
-            spring.stiffness = if softest == S::ZERO { S::ONE } else { softest };
+            spring.stiffness = if largest == S::ZERO { S::ONE } else { largest };
         }
         let hardest = springs.iter().fold(S::ZERO, |most, spring| larger(most, spring.hardness()));
         let unit = hardest * speed.sqrt();
@@ -230,152 +239,4 @@ impl<S: Scalar, V: Vector<S>> Collision<S, V> {
             factor
         }
     }
-}
-
-/// A contact as a spring.
-///
-/// Units: the hardest contact takes [`DURATION`] if it closes with the greatest speed.
-struct Spring<S, V> {
-    a: usize,
-    b: Option<usize>,
-    normal: V,
-    /// The closing speed that a unit impulse takes away.
-    inverse_mass: S,
-    /// The force at δ = 1.
-    stiffness: S,
-    /// How far the bodies have come together, δ; negative after they have parted.
-    overlap: S,
-    /// The closing speed at first, before the present step and after it.
-    closing_first: S,
-    closing: S,
-    closing_after: S,
-    /// The impulse of the present step, and what of it is to be taken back.
-    push: S,
-    excess: S,
-    /// The impulse of all steps.
-    impulse: S,
-    /// The work done on it.
-    stored: S,
-    /// That when it last began to close; `None` while it opens.
-    loaded_from: Option<S>,
-}
-
-impl<S: Scalar, V: Vector<S>> Spring<S, V> {
-    fn new<L: TouchLaw<S>>(touch: &Touch<S, V, L>, bodies: &[Body<S, V>]) -> Self {
-        let other = touch.b.map_or(S::ZERO, |b| bodies[b].inverse_mass);
-        let closing = -touch.gap_rate(bodies);
-        let is_point = touch.effective_radius == S::ZERO;
-        Self {
-            a: touch.a,
-            b: touch.b,
-            normal: touch.normal,
-            inverse_mass: bodies[touch.a].inverse_mass + other,
-            stiffness: if is_point { S::ZERO } else { touch.effective_radius.sqrt() },
-            overlap: S::ZERO,
-            closing_first: closing,
-            closing,
-            closing_after: closing,
-            push: S::ZERO,
-            excess: S::ZERO,
-            impulse: S::ZERO,
-            stored: S::ZERO,
-            loaded_from: None,
-        }
-    }
-
-    /// How fast the force grows on bodies as heavy as these.
-    fn hardness(&self) -> S {
-        self.stiffness * self.inverse_mass
-    }
-
-    /// The square of the speed at which it would close or open if alone with its energy.
-    fn squared_speed(&self) -> S {
-        let closing = larger(self.closing, S::ZERO).squared();
-        closing + larger(self.stored, S::ZERO) * (self.inverse_mass + self.inverse_mass)
-    }
-
-    fn force(&self) -> S {
-        if self.overlap > S::ZERO { self.stiffness * self.overlap * self.overlap.sqrt() } else { S::ZERO }
-    }
-
-    /// The closing speed.
-    fn rate(&self, bodies: &[(V, S)]) -> S {
-        (bodies[self.a].0 - self.b.map_or(V::ZERO, |b| bodies[b].0)).dot(self.normal)
-    }
-
-    /// Gives both bodies an impulse that pushes them apart.
-    fn act(&self, impulse: S, bodies: &mut [(V, S)]) {
-        if impulse == S::ZERO {
-            return;
-        }
-        let push = self.normal * impulse;
-        let (velocity, inverse_mass) = &mut bodies[self.a];
-        *velocity = *velocity - push * *inverse_mass;
-        if let Some(b) = self.b {
-            let (velocity, inverse_mass) = &mut bodies[b];
-            *velocity = *velocity + push * *inverse_mass;
-        }
-    }
-
-    /// Ends the closing within the present step, of which the rest becomes a step of its own.
-    fn turn<L: TouchLaw<S>>(&mut self, touch: &mut Touch<S, V, L>, lost: &mut S) {
-        let closing = larger(self.closing, S::ZERO);
-        let share = if closing > S::ZERO { closing / (closing - self.closing_after) } else { S::ZERO };
-        let before = self.push * share;
-        let stored = self.stored + before * closing * S::from_f64(0.5);
-        let work = stored - self.loaded_from.take().unwrap_or(stored);
-        let loss = self.loss(touch, work);
-        let kept = larger((stored - loss) / stored, S::ZERO);
-        let mut after = self.push - before;
-        if loss > S::ZERO {
-            // The energy of a spring goes as δ^(5/2).
-            let shrink = fifth_root(kept.squared());
-            let weaker = if shrink > S::ZERO { after * shrink * shrink.sqrt() } else { S::ZERO };
-            self.overlap = self.overlap * shrink;
-            self.excess = after - weaker;
-            after = weaker;
-            *lost += loss;
-        }
-        (self.closing, self.push) = (S::ZERO, after);
-        self.impulse += before;
-        self.stored = stored - loss;
-    }
-
-    /// What is lost of the work done while the contact closed.
-    fn loss<L: TouchLaw<S>>(&self, touch: &mut Touch<S, V, L>, work: S) -> S {
-        if work <= S::ZERO {
-            return S::ZERO;
-        }
-        let speed = (work * (self.inverse_mass + self.inverse_mass)).sqrt();
-        touch.note_closing(speed);
-        work * (S::ONE - touch.restitution_at(speed).squared())
-    }
-
-    fn end_step(&mut self) {
-        self.impulse += self.push;
-        self.stored += self.push * (self.closing + self.closing_after) * S::from_f64(0.5);
-        self.closing = self.closing_after;
-        if self.overlap > S::ZERO && self.closing > S::ZERO && self.loaded_from.is_none() {
-            self.loaded_from = Some(self.stored);
-        }
-    }
-}
-
-fn larger<S: Scalar>(a: S, b: S) -> S {
-    if b > a { b } else { a }
-}
-
-/// The fifth root, by Newton's iteration from above.
-fn fifth_root<S: Scalar>(value: S) -> S {
-    if value <= S::ZERO {
-        return S::ZERO;
-    }
-    let improved = |root: S| (root * S::from_f64(4.0) + value / root.squared().squared()) / S::from_f64(5.0);
-    let mut root = larger(value, S::ONE);
-    let mut next = improved(root);
-    while next < root {
-        root = next;
-        next = improved(root);
-    }
-    next
 }

@@ -7,6 +7,7 @@ mod complementarity;
 pub mod hertz;
 pub mod pairwise;
 pub mod reflections;
+mod spring;
 
 pub use hertz::resolve_hertz;
 pub use pairwise::resolve_pairwise;
@@ -78,7 +79,8 @@ pub struct Touch<S, V = Vec2<S>, L = DiscLaw<S>> {
     pub normal: V,
     /// What says how much of the closing speed it gives back.
     pub law: L,
-    /// What the law `hertz` takes for its size: see [`effective_radius`].
+    /// What the law `hertz` takes its stiffness from: see [`effective_radius`]. Zero, where a point is in contact, counts as
+    /// the largest of the cluster.
     pub effective_radius: S,
     /// Closing speeds up to this are given back in full, faster ones at least that far.
     pub kept_speed: S,

@@ -9,14 +9,18 @@ use core::array::from_fn;
 /// Steps of the compression where no slip is about to stop.
 const STEPS: f64 = 8.0;
 
-/// Largest part of a slip that a step may take or turn.
-const TURN: f64 = 0.7;
+/// Part of a slip as fast as the closing speed that a step may take or turn; of slower ones, more by the fourth root, so
+/// that all such steps have errors of like size.
+const TURN: f64 = 0.15;
+
+/// The largest such part.
+const LARGEST_TURN: f64 = 0.8;
 
 /// First step of a place that starts to slip, over the longest step.
 const FIRST_STEP: f64 = 0.1;
 
 /// Slip that counts as none, over the closing speed.
-const STILL: f64 = 1e-8;
+const STILL: f64 = 1e-7;
 
 /// Slip that counts as none, over the other slips: their round-off.
 const ROUND_OFF: f64 = 1e-14;
@@ -24,7 +28,7 @@ const ROUND_OFF: f64 = 1e-14;
 /// Times that the last step of a phase is made again, with a better length.
 const LAST_STEPS: usize = 3;
 
-/// Steps after which a contact ends that friction keeps from ending. None of those tried comes near.
+/// Steps after which a phase ends in any case. Slips that start against a friction that nearly holds take hundreds.
 const MOST_STEPS: usize = 2000;
 
 /// A contact on its way.
@@ -39,7 +43,16 @@ struct March<S, const N: usize> {
 /// A step.
 struct Step<S, const N: usize> {
     normal: S,
+    mean: Mean<S, N>,
+}
+
+/// What friction does in a step, per normal impulse.
+#[derive(Clone, Copy)]
+struct Mean<S, const N: usize> {
+    /// Its mean.
     rubs: [Vec2<S>; N],
+    /// The mean of its first three stages: what counts in the work of the normal impulse, where the early counts more.
+    early: [Vec2<S>; N],
 }
 
 /// The motion after a contact with this restitution, and its normal impulse.
@@ -72,12 +85,16 @@ impl<S: Scalar, const N: usize> March<S, N> {
     fn compress(&mut self) -> S {
         let mut work = S::ZERO;
         for _ in 0..MOST_STEPS {
-            let before = self.closing_now();
-            let end = |stopped: S| if stopped > S::ZERO { before / stopped } else { S::INFINITY };
-            let (step, is_last) = self.step(end);
-            self.done = self.done.with(step.normal, &step.rubs);
-            let after = if is_last { S::ZERO } else { self.closing_now() };
-            work += step.normal * (before + after) * S::from_f64(0.5);
+            let first = self.first_rubbing();
+            let closing = self.closing_now();
+            let end = |mean: &Mean<S, N>| {
+                let lost = self.closing_lost(&mean.rubs);
+                if lost > S::ZERO { closing / lost } else { S::INFINITY }
+            };
+            let (step, is_last) = self.step(&first, end);
+            work += step.normal
+                * (closing - self.closing_lost(&step.mean.early) * step.normal * S::from_f64(0.5));
+            self.done = self.done.with(step.normal, &step.mean.rubs);
             if is_last {
                 break;
             }
@@ -92,35 +109,40 @@ impl<S: Scalar, const N: usize> March<S, N> {
             if left <= S::ZERO {
                 break;
             }
+            let first = self.first_rubbing();
             let opening = -self.closing_now();
-            let (step, is_last) = self.step(|gained| end_of_work(left, opening, gained));
-            self.done = self.done.with(step.normal, &step.rubs);
-            left -= step.normal * (opening - self.closing_now()) * S::from_f64(0.5);
+            let end = |mean: &Mean<S, N>| end_of_work(left, opening, self.closing_lost(&mean.early));
+            let (step, is_last) = self.step(&first, end);
+            left -= step.normal
+                * (opening + self.closing_lost(&step.mean.early) * step.normal * S::from_f64(0.5));
+            self.done = self.done.with(step.normal, &step.mean.rubs);
             if is_last {
                 break;
             }
         }
     }
 
-    /// The next step, and whether it is the last of its phase. `end` says where the phase ends if so much closing speed
-    /// is lost per normal impulse.
-    fn step(&mut self, end: impl Fn(S) -> S) -> (Step<S, N>, bool) {
-        let first = self.first_rubbing();
-        let bound = self.bound(&first);
-        let end =
-            |rubs: [Vec2<S>; N]| end(self.surfaces.response.closing_lost(&Impulse { normal: S::ONE, rubs }));
-        let first_end = end(first.rubs);
-        if first_end > bound {
-            let rubs = self.mean_rubs(&first, bound);
-            let end = end(rubs);
-            return (Step { normal: if end < bound { end } else { bound }, rubs }, end < bound);
+    /// The next step, and whether it is the last of its phase. `end` says where the phase ends with such a friction.
+    ///
+    /// Bodies that friction holds everywhere are wedged: that ends a phase too.
+    fn step(&self, first: &Rubbing<S, N>, end: impl Fn(&Mean<S, N>) -> S) -> (Step<S, N>, bool) {
+        if first.is_held.iter().all(|is_held| *is_held) {
+            return (Step { normal: S::ZERO, mean: Mean { rubs: first.rubs, early: first.rubs } }, true);
         }
-        let mut last = Step { normal: first_end, rubs: first.rubs };
+        let bound = self.bound(first);
+        let mut mean = Mean { rubs: first.rubs, early: first.rubs };
+        let mut normal = end(&mean);
+        if normal > bound {
+            mean = self.mean(first, bound);
+            normal = end(&mean);
+            let is_last = normal < bound;
+            return (Step { normal: if is_last { normal } else { bound }, mean }, is_last);
+        }
         for _ in 0..LAST_STEPS {
-            last.rubs = self.mean_rubs(&first, last.normal);
-            last.normal = end(last.rubs);
+            mean = self.mean(first, normal);
+            normal = end(&mean);
         }
-        (last, true)
+        (Step { normal, mean }, true)
     }
 
     /// The friction at the start of a step. A place that it holds is stopped for good first.
@@ -144,6 +166,10 @@ impl<S: Scalar, const N: usize> March<S, N> {
         })
     }
 
+    /// The longest step in which the slip of a place neither turns nor shrinks by more than a part.
+    ///
+    /// What friction alone could take counts half of itself, for the sake of stability: it turns a slip that starts into
+    /// its own direction within an impulse of the slip's size, and longer steps would overshoot that.
     fn bound_at(&self, place: usize, slip: Vec2<S>, first: &Rubbing<S, N>) -> S {
         let speed = slip.norm();
         if speed <= self.surfaces.still {
@@ -152,15 +178,23 @@ impl<S: Scalar, const N: usize> March<S, N> {
         let response = &self.surfaces.response;
         let rate = response.slip_gained(place, &Impulse { normal: S::ONE, rubs: first.rubs });
         let (growing, turning) = (rate.dot(slip) / speed, rate.cross(slip) / speed);
-        let shrinking = if growing < S::ZERO { -growing } else { S::ZERO };
+        let shrinking = if growing < S::ZERO { growing } else { S::ZERO };
         let [across, ahead] = [response.sideways[place][place], response.forwards[place][place]];
         let rubbed = first.limits[place] * if across > ahead { across } else { ahead };
-        speed * S::from_f64(TURN) / ((shrinking.squared() + turning.squared()).sqrt() + rubbed)
+        let changed = (shrinking.squared() + turning.squared()).sqrt() + rubbed * S::from_f64(0.5);
+        speed * self.turn(speed) / changed
     }
 
-    /// The mean friction over a step, by the classical Runge–Kutta method.
     #[inline(always)]
-    fn mean_rubs(&self, first: &Rubbing<S, N>, normal: S) -> [Vec2<S>; N] {
+    fn turn(&self, speed: S) -> S {
+        let turn = (self.closing / speed).sqrt().sqrt() * S::from_f64(TURN);
+        let largest = S::from_f64(LARGEST_TURN);
+        if turn < largest { turn } else { largest }
+    }
+
+    /// The friction of a step, by the classical Runge–Kutta method.
+    #[inline(always)]
+    fn mean(&self, first: &Rubbing<S, N>, normal: S) -> Mean<S, N> {
         let half = normal * S::from_f64(0.5);
         let rubs = |length: S, rubs: &[Vec2<S>; N]| {
             self.surfaces.rubbing(&self.slips_at(&self.done.with(length, rubs)), first.is_held).rubs
@@ -168,8 +202,17 @@ impl<S: Scalar, const N: usize> March<S, N> {
         let second = rubs(half, &first.rubs);
         let third = rubs(half, &second);
         let fourth = rubs(normal, &third);
-        let sixth = S::ONE / S::from_f64(6.0);
-        from_fn(|k| (first.rubs[k] + (second[k] + third[k]) * S::from_f64(2.0) + fourth[k]) * sixth)
+        let [two, third_part, sixth] = [2.0, 1.0 / 3.0, 1.0 / 6.0].map(S::from_f64);
+        Mean {
+            rubs: from_fn(|k| (first.rubs[k] + (second[k] + third[k]) * two + fourth[k]) * sixth),
+            early: from_fn(|k| (first.rubs[k] + second[k] + third[k]) * third_part),
+        }
+    }
+
+    /// The closing speed lost per normal impulse.
+    #[inline(always)]
+    fn closing_lost(&self, rubs: &[Vec2<S>; N]) -> S {
+        self.surfaces.response.closing_lost(&Impulse { normal: S::ONE, rubs: *rubs })
     }
 
     #[inline(always)]

@@ -21,10 +21,13 @@
 //! | a, c, d, G | response of closing speed and slips to the impulses | 1/kg |
 //! | e | restitution: its square is the part of the work given back | – |
 //!
-//! The steps are those of the classical fourth-order Runge–Kutta method. Each takes the mean of four directions as one
-//! impulse, so its work, which is the impulse times the mean of the slips before and after, is exact: friction takes
-//! energy in every step as long as the mean points along that slip, and the work of (4) is met to the last bit. So energy
-//! never rises, however long the steps. They are short where a slip is about to stop, and end by stopping it.
+//! The steps are those of the classical fourth-order Runge–Kutta method, with (4) as one of its variables. Each gives its
+//! mean friction as one impulse, so momentum is kept to round-off, and friction takes energy as long as that mean points
+//! along the mean slip. So steps are short where a slip turns or is about to stop. One that is slow enough is stopped by
+//! an impulse of its own, and then held. The last step of a phase is as long as it has to be, found by making it again
+//! with a better length a fixed number of times: nothing depends on which side of a threshold round-off falls.
+//!
+//! A ball that friction holds at the nose and on the cloth is wedged: it stops, and its contact ends.
 //!
 //! Sideways and forwards do not mix in (3), since every contact is its own mirror image but for the motions.
 

@@ -3,12 +3,10 @@
 use super::response::{Impulse, Response};
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;
-
-/// Rounds over the places in which the frictions of held and sliding places settle.
-const ROUNDS: usize = 10;
+use core::array::from_fn;
 
 /// Newton steps to the friction of a place that starts to slip.
-const NEWTON_STEPS: usize = 6;
+const NEWTON_STEPS: usize = 5;
 
 /// Friction per normal impulse.
 #[derive(Clone, Copy, Debug)]
@@ -36,16 +34,38 @@ impl<S: Scalar, const N: usize> Surfaces<S, N> {
     #[inline(always)]
     pub(super) fn rubbing(&self, slips: &[Vec2<S>; N], held: [bool; N]) -> Rubbing<S, N> {
         let speeds = slips.map(Vec2::norm);
-        let mut found = Rubbing { rubs: [Vec2::ZERO; N], limits: [S::ZERO; N], is_held: [false; N] };
-        let holds = |k: usize| held[k] || speeds[k] <= self.still;
-        for _ in 0..if holds(0) { ROUNDS } else { 1 } {
-            for k in 0..N {
-                found.limits[k] = self.limit(k, found.rubs[0]);
-                if holds(k) {
-                    (found.rubs[k], found.is_held[k]) = self.holding(k, &found);
-                } else {
-                    found.rubs[k] = slips[k] * (found.limits[k] / speeds[k]); // (1)
-                }
+        let holds = from_fn(|k| held[k] || speeds[k] <= self.still);
+        let along = from_fn(|k| if holds[k] { Vec2::ZERO } else { slips[k] * (S::ONE / speeds[k]) });
+        let found = Rubbing { rubs: [Vec2::ZERO; N], limits: [S::ZERO; N], is_held: [false; N] };
+        if holds[0] { self.settled(found, &along, holds) } else { self.round(found, &along, holds) }
+    }
+
+    /// Where the bodies meet, what holds depends on the friction on the cloth, whose load depends on what holds.
+    ///
+    /// The dependence is linear, but for a place that starts to slip, so two rounds and Steffensen's step settle it.
+    fn settled(&self, found: Rubbing<S, N>, along: &[Vec2<S>; N], holds: [bool; N]) -> Rubbing<S, N> {
+        let first = self.round(found, along, holds);
+        let mut second = self.round(first, along, holds);
+        let change = first.rubs[0].y - found.rubs[0].y;
+        let bend = second.rubs[0].y - first.rubs[0].y - change;
+        if bend != S::ZERO {
+            second.rubs[0].y = found.rubs[0].y - change.squared() / bend;
+        }
+        self.round(second, along, holds)
+    }
+
+    /// The friction on the cloth with the loads of `last`, then where the bodies meet: what holds there holds exactly.
+    #[inline(always)]
+    fn round(&self, last: Rubbing<S, N>, along: &[Vec2<S>; N], holds: [bool; N]) -> Rubbing<S, N> {
+        let mut found = last;
+        let first_rub = if holds[0] { last.rubs[0] } else { along[0] * self.frictions[0] };
+        found.rubs[0] = first_rub;
+        for k in (0..N).rev() {
+            found.limits[k] = self.limit(k, first_rub);
+            if holds[k] {
+                (found.rubs[k], found.is_held[k]) = self.holding(k, &found);
+            } else {
+                found.rubs[k] = along[k] * found.limits[k]; // (1)
             }
         }
         found
@@ -76,19 +96,22 @@ impl<S: Scalar, const N: usize> Surfaces<S, N> {
 
     /// The friction of a place that starts to slip: as large as it can be, and along the slip that starts.
     ///
-    /// That slip is `drive − G J = λ J`, so `J = drive/(G + λ)` in both directions, with the λ > 0 for which J has the
-    /// size of the limit. Newton's method on `1/|J|`, which is nearly linear in λ, finds it.
+    /// With J = L q, where L is the limit and |q| = 1, that slip is `drive − G J = λ q`, so `q = drive/(L G + λ)` in both
+    /// directions. Newton's method on `1/|q|`, which is nearly linear in λ, finds λ > 0 from below.
     fn starting(&self, place: usize, drive: Vec2<S>, limit: S) -> Vec2<S> {
-        let [across, ahead] = [self.response.sideways[place][place], self.response.forwards[place][place]];
-        let rub = |lambda: S| Vec2::new(drive.x / (across + lambda), drive.y / (ahead + lambda));
-        let mut lambda = S::ZERO;
+        let response = &self.response;
+        let [across, ahead] =
+            [response.sideways[place][place] * limit, response.forwards[place][place] * limit];
+        let below = drive.norm() - if across > ahead { across } else { ahead };
+        let mut lambda = if below > S::ZERO { below } else { S::ZERO };
+        let direction = |lambda: S| Vec2::new(drive.x / (across + lambda), drive.y / (ahead + lambda));
         for _ in 0..NEWTON_STEPS {
-            let found = rub(lambda);
-            let squared = found.norm_squared();
-            let falling = found.x.squared() / (across + lambda) + found.y.squared() / (ahead + lambda);
-            lambda += squared / falling * (squared.sqrt() / limit - S::ONE);
+            let q = direction(lambda);
+            let squared = q.norm_squared();
+            let falling = q.x.squared() / (across + lambda) + q.y.squared() / (ahead + lambda);
+            lambda += squared / falling * (squared.sqrt() - S::ONE);
         }
-        let found = rub(lambda);
-        found * (limit / found.norm())
+        let q = direction(lambda);
+        q * (limit / q.norm())
     }
 }

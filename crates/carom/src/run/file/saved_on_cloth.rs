@@ -28,6 +28,8 @@ pub struct SphereEntry {
     #[serde(flatten)]
     flight: SphereNumbers,
     changes: u64,
+    /// None if there was none.
+    last_contact: Option<f64>,
     burst_start: f64,
     burst: u32,
 }
@@ -81,17 +83,26 @@ impl Saved for OnCloth {
     }
 
     fn entry_of((flight, track): &(SphereFlight<f64>, SphereTrack<f64>)) -> SphereEntry {
-        let SphereTrack { changes, burst_start, burst } = *track;
-        SphereEntry { start: flight.start(), flight: Self::numbers_of(flight), changes, burst_start, burst }
+        let SphereTrack { changes, last_contact, burst_start, burst } = *track;
+        let last_contact = (last_contact != f64::NEG_INFINITY).then_some(last_contact);
+        let (start, flight) = (flight.start(), Self::numbers_of(flight));
+        SphereEntry { start, flight, changes, last_contact, burst_start, burst }
     }
 
     fn ball_of(entry: &SphereEntry) -> (SphereFlight<f64>, SphereTrack<f64>) {
-        let SphereEntry { changes, burst_start, burst, .. } = *entry;
-        (Self::flight_of(entry.start, &entry.flight), SphereTrack { changes, burst_start, burst })
+        let SphereEntry { changes, last_contact, burst_start, burst, .. } = *entry;
+        let last_contact = last_contact.unwrap_or(f64::NEG_INFINITY);
+        let track = SphereTrack { changes, last_contact, burst_start, burst };
+        (Self::flight_of(entry.start, &entry.flight), track)
     }
 
     fn finite_keys(entry: &SphereEntry) -> Vec<(&'static str, f64)> {
-        vec![("start", entry.start), ("state", entry.flight.worst()), ("burst_start", entry.burst_start)]
+        vec![
+            ("start", entry.start),
+            ("state", entry.flight.worst()),
+            ("last_contact", entry.last_contact.unwrap_or(0.0)),
+            ("burst_start", entry.burst_start),
+        ]
     }
 
     fn check_entry(entry: &SphereEntry, place: &str, _: &ClothSystem<f64>) -> Found {

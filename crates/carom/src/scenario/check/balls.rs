@@ -28,7 +28,8 @@ pub(super) fn check_balls(draft: &Draft<'_>, findings: &mut Findings) {
 fn check_radius(draft: &Draft<'_>, index: usize, ball: &Ball, findings: &mut Findings) {
     let given = ball.radius.or(draft.ball_defaults.radius).is_some();
     let place = draft.place(index, "radius");
-    if !given && findings.is_sound(&place) && findings.is_sound("ball_defaults") {
+    let is_sound = findings.is_sound(&place) && findings.is_sound("ball_defaults");
+    if !given && is_sound && findings.is_sound("table.preset") {
         findings.add(
             place,
             format!("missing: give ball {:?} a radius here, or all balls in ball_defaults.radius", ball.id),

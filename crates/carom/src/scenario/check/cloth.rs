@@ -9,7 +9,7 @@ const NEEDS: &str = "needs physics.flight.law = \"cloth\"";
 
 /// Notes keys of balls with spin in a run of discs, and the other way round.
 pub(super) fn check_cloth(draft: &Draft<'_>, findings: &mut Findings) {
-    if !findings.is_sound("physics.flight") {
+    if !findings.is_sound("physics.flight") || !findings.is_sound("table.preset") {
         return;
     }
     match draft.physics.flight() {

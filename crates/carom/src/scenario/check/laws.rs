@@ -1,7 +1,7 @@
 //! Laws of single cushions and corners, whether there are such; and coefficients that depend on something, whether they
 //! stay in range.
 
-use super::Findings;
+use super::{Findings, Rounded};
 use crate::model;
 use crate::scenario::nearest::suggestion;
 use crate::scenario::path::Key;
@@ -36,8 +36,11 @@ fn check_coefficients(place: &str, law: &BallCushion, findings: &mut Findings) {
         let speeds = [0.0, up_to, turning].into_iter().filter(|speed| (0.0..=up_to).contains(speed));
         let at = |speed: f64| c0 + (c1 + c2 * speed) * speed;
         if let Some(speed) = speeds.into_iter().find(|speed| !(0.0..=1.0).contains(&at(*speed))) {
-            let message =
-                format!("must give numbers between 0 and 1, but at speed {speed} gives {}", at(speed));
+            let message = format!(
+                "must give numbers between 0 and 1, but at speed {} gives {}",
+                Rounded(speed),
+                Rounded(at(speed))
+            );
             findings.add(format_args!("{place}.normal.by_speed"), message);
         }
     }
@@ -47,7 +50,7 @@ fn check_coefficients(place: &str, law: &BallCushion, findings: &mut Findings) {
     {
         let message = format!(
             "must not be negative between 0 and a quarter turn: it is {c0} and {} there",
-            c0 + c1 * FRAC_PI_2
+            Rounded(c0 + c1 * FRAC_PI_2)
         );
         findings.add(format_args!("{place}.friction.by_incidence"), message);
     }

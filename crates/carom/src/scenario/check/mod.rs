@@ -105,6 +105,10 @@ struct Rounded(f64);
 impl fmt::Display for Rounded {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let rounded = format!("{:.3e}", self.0).parse().unwrap_or(self.0);
-        if (1e-4..1e9).contains(&rounded) { write!(out, "{rounded}") } else { write!(out, "{rounded:e}") }
+        if rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs()) {
+            write!(out, "{rounded}")
+        } else {
+            write!(out, "{rounded:e}")
+        }
     }
 }

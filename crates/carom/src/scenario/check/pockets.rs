@@ -16,6 +16,8 @@ pub(super) fn check_pockets(draft: &Draft<'_>, table: &model::Table<f64>, findin
     check_ids(expanded, findings);
     if findings.is_sound("table") && matches!(expanded, Table::PocketTable { .. }) {
         check_rails(table, findings);
+    }
+    if findings.is_sound("table") && matches!(expanded, Table::PocketTable { .. }) {
         check_backs(draft, table, findings);
     }
     check_nose(draft, table, findings);

@@ -19,7 +19,8 @@ pub(super) fn check_rack(draft: &Draft<'_>, findings: &mut Findings) {
         findings
             .add("rack.game", format!("has its places on a rectangular table: give table.shape = {shapes}"));
     }
-    if draft.ball_defaults.radius.is_none() && findings.is_sound("ball_defaults") {
+    let is_known = findings.is_sound("ball_defaults") && draft.table.is_some();
+    if draft.ball_defaults.radius.is_none() && is_known {
         let message = "missing: a rack needs the radius of its balls, here or from a preset";
         findings.add("ball_defaults.radius", message);
     }

@@ -47,10 +47,11 @@ fn check_given(shot: &Shot, findings: &mut Findings) {
 }
 
 fn check_ball(draft: &Draft<'_>, shot: &Shot, findings: &mut Findings) {
+    let parts = ["balls", "rack", "table", "ball_defaults.radius"];
     let all_known =
-        draft.balls.iter().all(Option::is_some) && findings.is_sound("balls") && findings.is_sound("rack");
+        draft.balls.iter().all(Option::is_some) && parts.iter().all(|part| findings.is_sound(part));
     let Some((index, ball)) = draft.balls().find(|(_, ball)| ball.id == shot.cue_ball) else {
-        if all_known && findings.is_sound("ball_defaults.radius") {
+        if all_known {
             let ids: Vec<&str> = draft.balls().map(|(_, ball)| ball.id.as_str()).collect();
             let message = format!("there is no ball {:?}{}", shot.cue_ball, suggestion(&shot.cue_ball, &ids));
             findings.add("shot.cue_ball", message);

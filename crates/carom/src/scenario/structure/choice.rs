@@ -69,8 +69,8 @@ fn choose_tagged_or_keyed<'a>(
     for (schema, key) in all.iter().filter_map(|schema| Some((*schema, key_of(schema, tag)?))) {
         match (value.get(key).is_some(), value.get(tag).is_some()) {
             (true, true) => {
-                let message = format!("is given beside {key}: give only one of them");
-                return Err(Mismatch { key: Some(tag), message });
+                let message = format!("is given beside {tag}: give only one of them");
+                return Err(Mismatch { key: Some(key), message });
             }
             (true, false) => return Ok(schema),
             (false, true) => {}

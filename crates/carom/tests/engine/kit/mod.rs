@@ -4,6 +4,8 @@ pub mod images;
 pub mod random;
 pub mod room;
 pub mod scenes;
+pub mod spheres;
+pub mod touching;
 
 use carom::engine::{Limits, Simulation};
 use carom::flight::State;
@@ -12,13 +14,15 @@ use carom::scenario::{Scenario, System};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// The name and text of every file in `scenarios/`, in order.
+/// The name and text of every file in `scenarios/` that is one of discs, in order.
 pub fn scenario_files() -> Vec<(String, String)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../scenarios");
     let mut files: Vec<PathBuf> = folder.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
     files.sort();
     let stem = |path: &PathBuf| path.file_stem().unwrap().to_str().unwrap().to_owned();
-    files.iter().map(|path| (stem(path), std::fs::read_to_string(path).unwrap())).collect()
+    let all = files.iter().map(|path| (stem(path), std::fs::read_to_string(path).unwrap()));
+    let has_cloth = |text: &str| Scenario::from_toml(text).unwrap().expanded().physics.has_cloth();
+    all.filter(|(_, text)| !has_cloth(text)).collect()
 }
 
 /// The scenario of that name in `scenarios/`.

@@ -1,8 +1,7 @@
-"""What the figures read of balls on a cloth: the scenario in plain keys, how each ball moves, and the shot."""
+"""What the figures read of a shot."""
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -13,28 +12,6 @@ if TYPE_CHECKING:
     from typing import Any
 
     from numpy.typing import NDArray
-
-    from carom.run import Run
-    from carom.scenario import Scenario
-
-RESTING, SPINNING, SLIDING, ROLLING, AIRBORNE, POCKETED, OFF_TABLE = range(7)
-"""The codes of motions, in the order of the engine."""
-
-
-def is_on_cloth(scenario: Scenario) -> bool:
-    """Tell whether the balls of a scenario roll and spin on a cloth."""
-    return scenario._native.is_on_cloth
-
-
-def plain_values(scenario: Scenario) -> dict[str, Any]:
-    """Give a scenario as a dict, its preset and its rack turned into plain keys."""
-    values: dict[str, Any] = json.loads(scenario._native.expanded().to_json())
-    return values
-
-
-def spins_and_motions(run: Run, times: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.int8]]:
-    """Give the spins (n_times, n_balls, 3) and the codes of the motions (n_times, n_balls) of a run on a cloth."""
-    return run._native.spins(np.ascontiguousarray(times, dtype=np.float64))
 
 
 @dataclass(frozen=True)
