@@ -138,9 +138,7 @@ def _marks(rails: Rails) -> tuple[list[Path], list[tuple[float, float]]]:
     """Give the lines and spots by the rules of the game: pool, carom, snooker or English pool."""
     width, length = rails.width, rails.length
     middle = 0.5 * width
-    if rails.preset.startswith("pool") and not rails.preset.startswith("pooltool"):
-        return [], [(middle, 0.25 * length), (middle, 0.75 * length)]
-    if rails.preset == "pooltool_7ft":
+    if rails.preset.startswith(("pool_", "pooltool_7ft")):
         return [], [(middle, 0.25 * length), (middle, 0.75 * length)]
     if "carom" in rails.preset:
         return [], [(middle, part * length) for part in (0.25, 0.5, 0.75)]
