@@ -13,7 +13,7 @@ SCENARIOS := $(wildcard scenarios/*)
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .PHONY: help build run check-engine test test-rust test-python lint lint-rust lint-python format docs licences
-.PHONY: third-party bench bench-pooltool campaign digests wheel wheel-check floors clean
+.PHONY: pictures third-party bench bench-pooltool campaign digests wheel wheel-check floors clean
 
 help: ## List these commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -71,6 +71,9 @@ docs: build ## Build the site into site/, warnings as errors, and check its link
 	rm -rf site
 	$(BIN)/python -m sphinx -W --keep-going -n -q -b html docs site
 	$(BIN)/python docs/carom_docs/links.py site
+
+pictures: build ## Draw the pictures of the README anew
+	$(BIN)/python docs/carom_docs/front.py
 
 licences: build ## Check the licences of all that is shipped, and THIRD-PARTY.txt
 	@$(need_rust)

@@ -34,6 +34,9 @@ FADES = 16
 SAMPLES_PER_FRAME = 3
 MOST_TRAILS = 32
 EXACT_COLOURS = 128
+SHADOW = 0.6
+"""How far right and down the shadow of a flying ball falls, over its height."""
+SHADE = "#c3cdc6"
 MOST_FRAMES = 1e5
 SHORT_FILM = 20.0
 SHORTEST_DELAY = 2  # hundredths of a second; viewers slow a GIF down below it
@@ -158,6 +161,10 @@ class _Film:
         Radii.
     trails : (n_samples, n_balls, 2) float64
         Places along the paths, at the ascending `trail_times`; no rows where none are drawn.
+    turns : (n_frames, n_balls, 3, 3) float64 or None
+        How balls on a cloth have turned.
+    lifts : (n_frames, n_balls) float64 or None
+        How high over the cloth they fly, in pixels.
     """
 
     background: Image
@@ -170,6 +177,8 @@ class _Film:
     trail: float
     font: FreeTypeFont
     digits: int
+    turns: NDArray[np.float64] | None
+    lifts: NDArray[np.float64] | None
 
     @classmethod
     def of(cls, run: Run, times: NDArray[np.float64], size: int, trail: float) -> _Film:
@@ -178,25 +187,29 @@ class _Film:
 
         from carom.figures.scene import Scene
         from carom.figures.style import font_file
+        from carom.figures.turning import turned
 
         scene = Scene.of(run.scenario)
         background, to_pixels = _draw_background(scene, size)
         fine = _trail_times(run, times) if trail > 0 and len(scene.ids) <= MOST_TRAILS else np.empty(0)
-        origin = to_pixels(np.zeros((1, 2)))
+        places, origin = run.positions(times), to_pixels(np.zeros((1, 2)))
         point = 0.009 * scene.size
         reach = np.stack([np.where(scene.radii > 0, scene.radii, point), np.zeros(len(scene.ids))], axis=-1)
+        radii = (to_pixels(reach) - origin)[:, 0]
         step = float(times[1] - times[0]) if len(times) > 1 else 0.1
         return cls(
             background=background,
             scene=scene,
             times=times,
-            discs=to_pixels(run.positions(times)[..., :2]),
-            radii=(to_pixels(reach) - origin)[:, 0],
+            discs=to_pixels(places[..., :2]),
+            radii=radii,
             trails=to_pixels(run.positions(fine)[..., :2]),
             trail_times=fine,
             trail=trail,
             font=ImageFont.truetype(font_file(), 13 * OVERSAMPLING),
             digits=int(np.clip(np.ceil(-np.log10(step)), 0, 9)),
+            turns=turned(run, times) if scene.on_cloth else None,
+            lifts=radii * (places[..., 2] / scene.radii - 1.0) if scene.on_cloth else None,
         )
 
     @property
@@ -216,15 +229,42 @@ class _Film:
         picture = self.background.copy()
         draw = ImageDraw.Draw(picture)
         self._draw_trails(draw, float(self.times[index]))
-        for place, radius, colour in zip(self.discs[index], self.radii, self.scene.colours, strict=True):
-            if np.isfinite(place[0]):
-                x, y = place.tolist()
-                box = (x - radius, y - radius, x + radius, y + radius)
-                draw.ellipse(box, fill=colour, outline="#1d2327", width=OVERSAMPLING)
+        self._draw_balls(picture, draw, index)
         unit = self.scene.unit("time")
         words = f"t = {self.times[index]:.{self.digits}f}" + (f" {unit}" if unit else "")
         draw.text((12 * OVERSAMPLING, 5 * OVERSAMPLING), words, font=self.font, fill="#22292f")
         return picture.reduce(OVERSAMPLING)
+
+    def _draw_balls(self, picture: Image, draw: Any, index: int) -> None:
+        """Draw discs, or balls on a cloth with their marks; those out of play beside the time, as they are named."""
+        gone = 0
+        for ball, (place, radius) in enumerate(zip(self.discs[index], self.radii.tolist(), strict=True)):
+            if self.lifts is not None and self.lifts[index, ball] > 0.1 * radius:
+                x, y = (place + SHADOW * self.lifts[index, ball]).tolist()
+                draw.ellipse((x - radius, y - radius, x + radius, y + radius), fill=SHADE)
+            if not np.isfinite(place[0]):
+                x, y = picture.width - (14 + 15 * gone) * OVERSAMPLING, 13 * OVERSAMPLING
+                gone += 1
+                self._paste(picture, ball, np.array([x, y]), 5.5 * OVERSAMPLING, np.eye(3))
+            elif self.turns is None:
+                x, y = place.tolist()
+                box = (x - radius, y - radius, x + radius, y + radius)
+                draw.ellipse(box, fill=self.scene.colours[ball], outline="#1d2327", width=OVERSAMPLING)
+            else:
+                self._paste(picture, ball, place, radius, self.turns[index, ball])
+
+    def _paste(
+        self, picture: Image, ball: int, place: NDArray[np.float64], radius: float, turn: NDArray[np.float64]
+    ) -> None:
+        from PIL import Image
+
+        from carom.figures.turning import seen_from_above
+
+        middle = np.floor(place)
+        right, down = (place - middle - 0.5).tolist()
+        seen = Image.fromarray(seen_from_above(self.scene, ball, turn, radius, (right, down)))
+        corner = middle.astype(int) - seen.width // 2
+        picture.paste(seen, (int(corner[0]), int(corner[1])), seen)
 
     def _draw_trails(self, draw: Any, time: float) -> None:
         """Draw the last part of every path, the older the closer to the colour of the cloth."""
@@ -233,7 +273,7 @@ class _Film:
             return
         age = (time - self.trail_times[first : last - 1]) / self.trail
         shades = np.clip((FADES * age).astype(int), 0, FADES - 1)
-        for ball, colours in enumerate(_faded(self.scene.colours)):
+        for ball, colours in enumerate(_faded(self.scene.lines)):
             places = self.trails[first:last, ball]
             for shade in np.unique(shades[np.any(np.diff(places, axis=0) != 0, axis=1)])[::-1]:
                 part = np.flatnonzero(shades == shade)
@@ -332,15 +372,15 @@ def _trail_times(run: Run, times: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.unique(np.concatenate([times, fine, events if len(events) < 20 * len(times) else []]))
 
 
-def _faded(colours: Sequence[str]) -> list[list[tuple[int, int, int]]]:
+def _faded(colours: Sequence[tuple[float, float, float]]) -> list[list[tuple[int, int, int]]]:
     """Give for every ball the colours of its trail, from fresh to nearly gone."""
     from matplotlib.colors import to_rgb
 
-    from carom.figures.style import CLOTH, line_colour
+    from carom.figures.style import CLOTH
 
     cloth = np.array(to_rgb(CLOTH))
     share = 0.7 * (1.0 - (np.arange(FADES) + 0.5) / FADES)[:, None]
-    blends = [share * np.array(line_colour(colour)) + (1.0 - share) * cloth for colour in colours]
+    blends = [share * np.array(colour) + (1.0 - share) * cloth for colour in colours]
     return [[(r, g, b) for r, g, b in np.rint(255 * blend).astype(int).tolist()] for blend in blends]
 
 

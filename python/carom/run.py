@@ -452,7 +452,7 @@ class Run:
         return figures.plot_speed(self, ax=ax)
 
     def plot_spin(self, ax: Axes | None = None) -> Axes:
-        """Draw how fast the balls turn over time, on a cloth; see `carom.figures`."""
+        """Draw how fast the balls on a cloth turn over time; see `carom.figures`."""
         from carom import figures
 
         return figures.plot_spin(self, ax=ax)
@@ -471,12 +471,19 @@ class Run:
         axes: Sequence[Axes] | None = None,
         arrows: bool = True,
         contact_axes: bool = True,
+        closeup: bool | None = None,
     ) -> list[Axes]:
         """Draw an event before, during and after; see `carom.figures`."""
         from carom import figures
 
         return figures.filmstrip(
-            self, around=around, frames=frames, axes=axes, arrows=arrows, contact_axes=contact_axes
+            self,
+            around=around,
+            frames=frames,
+            axes=axes,
+            arrows=arrows,
+            contact_axes=contact_axes,
+            closeup=closeup,
         )
 
     def animate(

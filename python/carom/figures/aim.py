@@ -48,10 +48,10 @@ class Aim:
     @classmethod
     def of(cls, values: Mapping[str, Any], radii: Mapping[str, float]) -> Aim | None:
         """Read the shot of a scenario in plain keys, whose balls have these radii; None where there is none."""
-        shot, cue = values.get("shot"), POOL_CUE | values.get("cue", {})
-        if shot is None or shot.get("cue_ball", "cue") not in radii:
-            return None
+        shot, cue = values.get("shot", {}), POOL_CUE | values.get("cue", {})
         ball = str(shot.get("cue_ball", "cue"))
+        if not shot or ball not in radii:
+            return None
 
         def either(one: str, other: str) -> float:
             return float(shot.get(one, shot.get(other, 0.0)))

@@ -25,7 +25,7 @@ LETTER = 0.62  # width of a letter over its size
 
 
 def draw_balls_of_cloth(ax: Axes, scene: Scene, places: NDArray[np.float64], *, zorder: float = 3.0) -> None:
-    """Draw balls with their stripes and, where there is room, their names; those without a place are left out."""
+    """Draw balls with their stripes and, where there is room, their names; those without a place (NaN) are left out."""
     draw_balls(ax, scene, places, zorder=zorder)
     draw_stripes(ax, scene, places, zorder=zorder + 0.05)
     draw_names(ax, scene, places, zorder=zorder + 0.1)

@@ -75,18 +75,19 @@ def new_axes_beside(scene: Scene, margin: float) -> tuple[Axes, Beside]:
     height = max(width * ratio, 3.2)
     total = (left + width + gap + WIDTH + right, below + height + above)
     figure = style.new_figure(*total)
-    bottom = below + (height - width * ratio) / 2
-    place = (left / total[0], bottom / total[1], width / total[0], width * ratio / total[1])
-    notes = figure.add_axes(
-        ((left + width + gap) / total[0], below / total[1], WIDTH / total[0], height / total[1]), label="notes"
-    )
+
+    def at(x: float, y: float, across: float, along: float) -> tuple[float, float, float, float]:
+        return x / total[0], y / total[1], across / total[0], along / total[1]
+
+    ax = figure.add_axes(at(left, below + (height - width * ratio) / 2, width, width * ratio))
+    notes = figure.add_axes(at(left + width + gap, below, WIDTH, height), label="notes")
     notes.set(xlim=(0.0, 72.0 * WIDTH), ylim=(0.0, 72.0 * height))
     notes.set_axis_off()
-    return figure.add_axes(place), Beside(notes, 72.0 * height)
+    return ax, Beside(notes, 72.0 * height)
 
 
 def note_aim(beside: Beside, scene: Scene) -> None:
-    """Draw how the cue strikes: the face of the ball as the shooter sees it, from the side, and the numbers."""
+    """Draw how the cue strikes: the ball as the shooter sees it, the same from the side, and the numbers."""
     aim = scene.aim
     if aim is None:
         return

@@ -37,6 +37,7 @@ PAGE_WIDTH = 7.2
 PAGE_HEIGHT = 8.4
 LEFT, RIGHT, GAP, BELOW, TITLE, NARROW, LEAST = 0.5, 0.1, 0.16, 0.36, 0.3, 1.8, 1.0  # inches
 LABEL_GAP, LABEL_ROOM = 6.5, 11.0  # points
+LEAST_ARROW = 0.1  # points
 MOMENTS = {"ball_ball": "collision", "ball_cushion": "cushion", "cue_ball": "cue", "ball_cloth": "landing"}
 MOMENTS |= {"ball_pocket": "pocketed"}
 
@@ -200,7 +201,7 @@ def _draw_frame(ax: Axes, strip: Strip, frame: int) -> None:
     draw_table(ax, strip.scene)
     _draw_ghost_paths(ax, strip, time)
     positions = strip.run.positions([time])[0, :, :2]
-    moving = _moving(strip, frame, positions)
+    moving = _moving(ax, strip, frame, positions)
     draw_balls(ax, strip.scene, positions)
     if strip.scene.on_cloth:
         draw_stripes(ax, strip.scene, positions, zorder=3.05)
@@ -215,19 +216,25 @@ def _draw_frame(ax: Axes, strip: Strip, frame: int) -> None:
     ax.set_title(_title(ax, strip, frame), fontsize=style.TITLE_SIZE - 1, color=style.INK, pad=4)
 
 
-def _moving(strip: Strip, frame: int, positions: NDArray[np.float64]) -> NDArray[np.bool_]:
+def _moving(ax: Axes, strip: Strip, frame: int, positions: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Tell which balls have an arrow in a frame; before the cue strikes, none."""
     velocities = strip.run.velocities([strip.times[frame]])[0, :, :2]
     is_struck = strip.event.kind != "cue_ball" or frame >= strip.middle
-    moving: NDArray[np.bool_] = _is_shown(strip.scene, positions) & np.any(velocities != 0.0, axis=-1)
-    return moving & bool(strip.arrow) & is_struck
+    seen = np.array([_is_seen(ax, strip, velocity) and is_struck for velocity in velocities], dtype=bool)
+    moving: NDArray[np.bool_] = _is_shown(strip.scene, positions) & seen
+    return moving
+
+
+def _is_seen(ax: Axes, strip: Strip, velocity: NDArray[np.float64]) -> bool:
+    """Tell whether the arrow of a velocity is long enough to be drawn; that of a ball about to rest is not."""
+    return float(np.hypot(*velocity)) * strip.arrow * points_per_unit(ax) > LEAST_ARROW
 
 
 def _draw_velocities_before(ax: Axes, strip: Strip, positions: NDArray[np.float64]) -> None:
     """Draw, pointing to the centres of the participants, with what velocity they came."""
     before = strip.run.velocities([just_before(strip.event.time)])[0, :, :2]
     for ball in strip.participants:
-        if strip.arrow and np.any(before[ball] != 0.0) and np.all(np.isfinite(positions[ball])):
+        if _is_seen(ax, strip, before[ball]) and np.all(np.isfinite(positions[ball])):
             draw_arrow(ax, positions[ball] - strip.arrow * before[ball], positions[ball], faint=True)
 
 
@@ -240,7 +247,7 @@ def _draw_ghost_paths(ax: Axes, strip: Strip, time: float) -> None:
     came = strip.run.positions(past)[..., :2]
     goes = strip.run.positions(future)[..., :2]
     fade = 0.6 * (past[1:] - past[0]) / max(time - past[0], 1e-300)
-    for ball, colour in enumerate(map(style.line_colour, strip.scene.colours)):
+    for ball, colour in enumerate(strip.scene.lines):
         if np.ptp(came[:, ball], axis=0).any():
             pieces = np.stack([came[:-1, ball], came[1:, ball]], axis=1)
             colours = [(*colour, alpha) for alpha in fade]

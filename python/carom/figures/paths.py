@@ -45,9 +45,9 @@ def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None)
     Ball-ball contacts are marked by diamonds, cushion contacts by small dots, up to `MOST_MARKS` of them. Where
     events are numbered, pale rings are the two balls at each ball-ball contact.
 
-    On a cloth a line is solid where the ball rolls, dashed where it slides and dotted where it flies; a ball that fell
-    lies in its pocket. Beside the table, on a figure of its own, stand the shot, the samples of lines and marks, and
-    the balls that are out of play. Changes of motion have no numbers.
+    On a cloth a line is solid where the ball rolls, dashed where it slides and dotted where it flies; a ball
+    that fell lies in its pocket. Beside the table, on a figure of its own, stand the shot, the samples of lines and
+    marks, and the balls that are out of play. Changes of motion have no numbers.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None)
 
 @dataclass(frozen=True)
 class _Marks:
-    """The events that are marked, by their numbers; their kinds; how many; and whether numbers are written."""
+    """The events that are marked, by number; their kinds; how many there are; and whether numbers are written."""
 
     events: dict[int, Event]
     kinds: list[str]
@@ -123,8 +123,8 @@ def _fill(beside: Beside, travels: Travels, marks: _Marks) -> None:
     scene = travels.scene
     note_aim(beside, scene)
     ways = [
-        Line2D([], [], color=style.INK, linewidth=1.3, linestyle=WAYS[motion][1], label=WAYS[motion][0])
-        for motion in travels.ways
+        Line2D([], [], color=style.INK, linewidth=1.3, linestyle=WAYS[way][1], label=WAYS[way][0])
+        for way in travels.ways
     ]
     kinds = [kind for kind in marks.kinds if kind != "ball_pocket"]
     note_samples(beside, [*ways, *_legend_marks(kinds, rings=marks.has_rings)])
@@ -185,13 +185,8 @@ def _mark(kind: str, most: float = np.inf) -> dict[str, Any]:
     shared: dict[str, Any] = {"marker": style.EVENT_MARKERS[kind]}
     if kind in ("ball_cushion", "ball_cloth"):
         return shared | {"markersize": 3.0, "mfc": "white", "mec": colour, "mew": 0.8}
-    most = np.inf if kind == "off_table" else most
-    return shared | {
-        "markersize": min(6.5 if kind == "off_table" else 4.4, most),
-        "mfc": colour,
-        "mec": "white",
-        "mew": 0.6,
-    }
+    size = 6.5 if kind == "off_table" else min(4.4, most)
+    return shared | {"markersize": size, "mfc": colour, "mec": "white", "mew": 0.6}
 
 
 def _draw_lines(ax: Axes, scene: Scene, places: NDArray[np.float64], n_events: int) -> None:

@@ -84,8 +84,7 @@ def draw_rails(ax: Axes, rails: Rails, cloth: Path, pieces: Sequence[Mapping[str
     ax.add_patch(ground)
     _draw_marks(ax, rails)
     holes = [Path.circle(pocket["center"], pocket["radius"]) for pocket in rails.pockets]
-    # A ball falls where its centre comes inside the circle, of which only what is on the table's side of the back is
-    # there.
+    # A ball falls where its centre comes inside the circle; what of it lies behind the back of the pocket is not there.
     for patch in _draw_all(ax, holes, facecolor=style.POCKET, edgecolor="none", zorder=0.4):
         patch.set_clip_path(ground)
     backs = [piece_path(piece) for piece in pieces if _is_back(piece)]
@@ -139,9 +138,7 @@ def _marks(rails: Rails) -> tuple[list[Path], list[tuple[float, float]]]:
     """Give the lines and spots by the rules of the game: pool, carom, snooker or English pool."""
     width, length = rails.width, rails.length
     middle = 0.5 * width
-    if rails.preset.startswith("pool") and not rails.preset.startswith("pooltool"):
-        return [], [(middle, 0.25 * length), (middle, 0.75 * length)]
-    if rails.preset == "pooltool_7ft":
+    if rails.preset.startswith(("pool_", "pooltool_7ft")):
         return [], [(middle, 0.25 * length), (middle, 0.75 * length)]
     if "carom" in rails.preset:
         return [], [(middle, part * length) for part in (0.25, 0.5, 0.75)]

@@ -25,9 +25,9 @@ MOST_ARROWS = 100
 def plot_scenario(scenario: Scenario, ax: Axes | None = None) -> Axes:
     """Draw a scenario at time 0.
 
-    A ball's id stands in its disc where there is room. A cue that will strike is drawn behind its ball; beside the
-    table, on a figure of its own, are the point that it touches and its numbers. Arrows show the velocities, all at
-    one scale, where at most `MOST_ARROWS` balls move; more would hide the table.
+    A ball's id stands in its disc where there is room. Arrows show the velocities, all at one scale, where at most
+    `MOST_ARROWS` balls move; more would hide the table. A cue that will strike is drawn behind its ball; beside the
+    table, on a figure of its own, are the point that it touches and its numbers.
 
     Parameters
     ----------

@@ -11,6 +11,7 @@ from matplotlib.colors import to_hex
 from carom.colours import ball_colours
 from carom.figures.aim import Aim
 from carom.figures.rails import Rails
+from carom.figures.style import line_colour
 from carom.units import unit_of
 
 if TYPE_CHECKING:
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 STRIPED = {str(number) for number in range(9, 16)}
 """Pool balls with these numbers are white with a stripe."""
 BARE = "#fbfaf4"
+BRIGHTEST = 0.58
+"""How bright a line of a ball on a cloth is at most: dashes of a white ball are to be seen in print, too."""
 
 
 @dataclass(frozen=True)
@@ -106,6 +109,13 @@ class Scene:
     def faces(self) -> list[str]:
         """The colours of the discs: under a stripe they are white."""
         return [BARE if self.is_striped(ball) else colour for ball, colour in enumerate(self.colours)]
+
+    @property
+    def lines(self) -> list[tuple[float, float, float]]:
+        """The colours of the balls' lines."""
+        if not self.on_cloth:
+            return [line_colour(colour) for colour in self.colours]
+        return [line_colour(colour, BRIGHTEST) for colour in self.colours]
 
     @property
     def width(self) -> float:

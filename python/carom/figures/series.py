@@ -31,9 +31,9 @@ PLAIN = (-3, 4)  # powers of ten between which numbers at an axis are written in
 def plot_energy(run: Run, ax: Axes | None = None) -> Axes:
     """Draw the total energy and every ball's kinetic energy against time; on a cloth that of its spin, too.
 
-    In a field, and where a ball flies over the cloth, the kinetic and the potential energy of all balls are drawn too,
-    and the total is their sum; the potential energy is zero at the lowest corner of the table's bounds, or on the
-    cloth.
+    In a field, and where a ball flies over the cloth, the kinetic and the potential energy of all balls are drawn
+    too, and the total is their sum; the potential energy is zero at the lowest corner of the table's bounds, or on
+    the cloth.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ def plot_spin(run: Run, ax: Axes | None = None) -> Axes:
     spins = run.spins(times)
     ax = _new_axes(scene, more=2) if ax is None else ax
     _draw_balls(ax, scene, times, np.linalg.norm(spins, axis=-1))
-    for side, colour in zip(spins[..., 2].T, _colours(scene), strict=True):
+    for side, colour in zip(spins[..., 2].T, scene.lines, strict=True):
         if np.any(np.abs(side[np.isfinite(side)]) > 0.0):
             ax.plot(times, side, color=colour, linewidth=0.9, linestyle=(0, (3, 1.5)), zorder=2.1)
     ax.plot([], [], color=style.INK, linewidth=1.2, label="spin")
@@ -153,13 +153,9 @@ def _kinetic_energies(run: Run, scene: Scene, times: NDArray[np.float64]) -> NDA
     """Give the kinetic energy of every ball, (n_times, n_balls) float64."""
     energies: NDArray[np.float64] = 0.5 * scene.masses * np.sum(np.square(run.velocities(times)), axis=-1)
     if scene.on_cloth:
-        energies = energies + 0.2 * scene.masses * scene.radii**2 * np.sum(np.square(run.spins(times)), axis=-1)
+        spins = run.spins(times)
+        energies = energies + 0.2 * scene.masses * scene.radii**2 * np.sum(np.square(spins), axis=-1)
     return energies
-
-
-def _colours(scene: Scene) -> list[tuple[float, float, float]]:
-    """Give the colours of the balls' curves."""
-    return [style.line_colour(colour) for colour in scene.colours]
 
 
 def _lowest_potential(scene: Scene) -> float:
@@ -172,7 +168,7 @@ def _draw_balls(ax: Axes, scene: Scene, times: NDArray[np.float64], values: NDAr
     """Draw one curve for each ball; in the legend they are named if they are few."""
     many = len(scene.ids) > MOST_NAMED
     names = ["each ball", *[""] * (len(scene.ids) - 1)] if many else list(map(style.legend_name, scene.ids))
-    for ball, (name, colour) in enumerate(zip(names, _colours(scene), strict=True)):
+    for ball, (name, colour) in enumerate(zip(names, scene.lines, strict=True)):
         ax.plot(times, values[:, ball], color=colour, linewidth=0.9 if many else 1.3, label=name or None, zorder=2)
 
 

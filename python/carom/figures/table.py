@@ -131,9 +131,8 @@ def draw_balls(
         The discs, in order of the balls.
     """
     discs = []
-    for place, radius, colour in zip(
-        positions, shown_radii(scene), scene.faces if filled else scene.colours, strict=True
-    ):
+    colours = scene.faces if filled else scene.colours
+    for place, radius, colour in zip(positions, shown_radii(scene), colours, strict=True):
         if not np.all(np.isfinite(place)):
             continue
         disc = Circle(

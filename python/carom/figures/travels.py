@@ -26,8 +26,6 @@ WAYS: dict[str, tuple[str, Any]] = {
     "airborne": ("in the air", (0, (0.9, 1.5))),
 }
 """The words and the dashes of the motions that take a ball somewhere."""
-BRIGHTEST = 0.58
-"""How bright a line is at most: dashes of a white ball are to be seen in print, too."""
 SUNK = 0.8
 """Size of a ball in a pocket, over its own."""
 
@@ -48,7 +46,7 @@ class Travels:
 
     scene: Scene
     places: NDArray[np.float64]
-    motions: NDArray[np.str_]
+    motions: NDArray[np.object_]
     out: tuple[Event, ...]
 
     @classmethod
@@ -69,15 +67,14 @@ class Travels:
     @property
     def ways(self) -> list[str]:
         """The motions of `WAYS` that occur."""
-        return [motion for motion in WAYS if np.any(self.motions == motion)]
+        return [way for way in WAYS if np.any(self.motions == way)]
 
 
 def draw_travels(ax: Axes, travels: Travels, *, crowding: float) -> None:
-    """Draw the path of every ball, one line for each of its ways; the more crowded (0 to 1), the thinner."""
-    colours = [style.line_colour(colour, BRIGHTEST) for colour in travels.scene.colours]
-    for ball, colour in enumerate(colours):
-        for motion in WAYS:
-            stretches = _stretches(travels.motions[:, ball] == motion)
+    """Draw the path of every ball, a line for each of its ways; the more crowded (0 to 1), the thinner and fainter."""
+    for ball, colour in enumerate(travels.scene.lines):
+        for way in WAYS:
+            stretches = _stretches(travels.motions[:, ball] == way)
             if stretches:
                 gap = np.full((1, 2), np.nan)
                 parts = [part for first, end in stretches for part in (travels.places[first:end, ball], gap)]
@@ -85,7 +82,7 @@ def draw_travels(ax: Axes, travels: Travels, *, crowding: float) -> None:
                     *np.concatenate(parts[:-1]).T,
                     color=colour,
                     linewidth=1.3 - 0.4 * crowding,
-                    linestyle=WAYS[motion][1],
+                    linestyle=WAYS[way][1],
                     alpha=0.9 - 0.1 * crowding,
                     solid_joinstyle="round",
                     zorder=2.0,
@@ -93,13 +90,13 @@ def draw_travels(ax: Axes, travels: Travels, *, crowding: float) -> None:
 
 
 def draw_sunk(ax: Axes, travels: Travels) -> None:
-    """Draw the balls in their pockets, a little smaller; those off the table get a mark of their event."""
+    """Draw the balls in their pockets, a little smaller, with rims that show on the dark."""
     scene = travels.scene
     for event, ball in zip(travels.out, travels.fallen, strict=True):
         if event.kind == "ball_pocket":
             x, y = travels.places[-1, ball].tolist()
             radius = SUNK * float(scene.radii[ball])
-            disc = Circle((x, y), radius, facecolor=scene.faces[ball], edgecolor=style.BALL_EDGE, linewidth=0.7)
+            disc = Circle((x, y), radius, facecolor=scene.faces[ball], edgecolor=style.SIGHT, linewidth=0.8)
             disc.set(alpha=0.9, zorder=2.8)
             ax.add_patch(disc)
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 DPI = 200
 CSS_DPI = 96
 
-NAMES = ("filmstrip", "paths", "energy", "speed", "momentum")
+NAMES = ("filmstrip", "paths", "energy", "speed", "spin", "momentum")
 """The figures of a run, in their order on a page."""
 
 TITLES = {
@@ -28,6 +28,7 @@ TITLES = {
     "paths": "Paths",
     "energy": "Energy",
     "speed": "Speed",
+    "spin": "Spin",
     "momentum": "Momentum",
 }
 CAPTIONS = {
@@ -38,6 +39,7 @@ CAPTIONS = {
     "and of the events below, from 0.",
     "energy": "Kinetic energy of each ball, and the total. The ticks below the curves are the events.",
     "speed": "Speed of each ball.",
+    "spin": "How fast each ball turns; dashed, its side spin, above zero where it turns counter-clockwise from above.",
     "momentum": "Total momentum: contacts of balls leave it as it is, cushions and fields change it.",
 }
 
@@ -90,7 +92,7 @@ def figures_of(run: Run) -> Iterator[tuple[str, Figure]]:
         if name == "filmstrip":
             if len(run.events):
                 yield name, figures.figure_of(figures.filmstrip(run))
-        else:
+        elif name != "spin" or run.is_on_cloth:
             yield name, figures.figure_of(getattr(figures, f"plot_{name}")(run))
 
 
