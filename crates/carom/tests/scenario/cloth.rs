@@ -39,21 +39,21 @@ fn a_cloth_has_defaults_and_ranges() {
     assert_eq!((start.position, start.twist().spin), (Vec3::new(0.5, 0.5, 0.03), Vec3::ZERO));
     assert_eq!(
         on_cloth(
-            "physics.flight.gravity = 0\nphysics.flight.restitution = 2\nphysics.flight.min_hop = -1",
+            "physics.flight.gravity = -1\nphysics.flight.restitution = 2\nphysics.flight.min_hop = -1",
             ""
         ),
         [
-            "physics.flight.gravity: must be positive and finite, got 0",
+            "physics.flight.gravity: must be zero or positive and finite, got -1",
             "physics.flight.restitution: must be between 0 and 1, got 2",
             "physics.flight.min_hop: must be zero or positive and finite, got -1"
         ]
     );
     assert_eq!(
-        on_cloth("ball_defaults = { sliding_friction = 0, rolling_friction = -1, spin_decay = 0 }", ""),
+        on_cloth("ball_defaults = { sliding_friction = -0.2, rolling_friction = -1, spin_decay = -10 }", ""),
         [
-            "ball_defaults.sliding_friction: must be positive and finite, got 0",
-            "ball_defaults.rolling_friction: must be positive and finite, got -1",
-            "ball_defaults.spin_decay: must be positive and finite, got 0"
+            "ball_defaults.sliding_friction: must be zero or positive and finite, got -0.2",
+            "ball_defaults.rolling_friction: must be zero or positive and finite, got -1",
+            "ball_defaults.spin_decay: must be zero or positive and finite, got -10"
         ]
     );
 }
@@ -72,6 +72,43 @@ fn everything_comes_to_rest_on_a_cloth_but_not_on_one_that_is_a_trampoline() {
 }
 
 #[test]
+fn a_run_on_a_cloth_that_does_not_slow_what_moves_needs_a_duration() {
+    let missing = |reason: &str| {
+        [format!(
+            "duration: missing, and not everything comes to rest: {reason}; give duration or collisions"
+        )]
+    };
+    let moving = "velocity = [1, 0]\n";
+    let cases = [
+        ("physics.flight.gravity = 0", "without gravity no ball rubs on the cloth"),
+        (
+            "ball_defaults.sliding_friction = 0",
+            "nothing slows ball \"cue\" while it slides, since its sliding_friction is 0",
+        ),
+        (
+            "ball_defaults.rolling_friction = 0",
+            "nothing slows ball \"cue\" while it rolls, since its rolling_friction is 0",
+        ),
+        (
+            "ball_defaults.spin_decay = 0",
+            "nothing slows ball \"cue\" while it spins, since its spin_decay is 0",
+        ),
+    ];
+    for (keys, reason) in cases {
+        assert_eq!(on_cloth(keys, moving), missing(reason));
+        assert_eq!(on_cloth(keys, "spin = [0, 0, 1]\n"), missing(reason), "a ball that spins moves");
+        assert_eq!(on_cloth(keys, "[shot]\nV0 = 1\nphi_deg = 0\n"), missing(reason));
+        assert_eq!(on_cloth(keys, ""), [""; 0], "nothing moves");
+        assert_eq!(on_cloth(&format!("duration = 1\n{keys}"), moving), [""; 0]);
+        assert_eq!(on_cloth(&format!("collisions = 3\n{keys}"), moving), [""; 0]);
+    }
+    let floating = "position = [0.5, 0.5, 0.5]";
+    let text = format!("physics.flight = {{ law = 'cloth', gravity = 0 }}\n{TABLE}{BALL}");
+    let text = text.replace("position = [0.5, 0.5]", floating);
+    assert_eq!(problems(&text), missing("without gravity no ball rubs on the cloth"));
+}
+
+#[test]
 fn what_rolls_needs_a_cloth() {
     let needs = "needs physics.flight.law = \"cloth\"";
     let discs = |head: &str, tail: &str| problems(&format!("duration = 1\n{head}\n{TABLE}{BALL}{tail}"));
@@ -82,7 +119,6 @@ fn what_rolls_needs_a_cloth() {
     assert_eq!(discs("ball_defaults.spin_decay = 1", ""), only("ball_defaults.spin_decay"));
     assert_eq!(discs("cue.mass = 1", ""), only("cue"));
     assert_eq!(discs("", "[shot]\nV0 = 1\nphi_deg = 0"), only("shot"));
-    assert_eq!(discs("physics.cluster = 'hertz'", ""), only("physics.cluster"));
     assert_eq!(
         discs("physics.ball_ball = { law = 'frictional', normal = 1 }", ""),
         only("physics.ball_ball.law")

@@ -3,8 +3,9 @@
 use super::{Draft, Findings};
 use crate::geometry::{Piece, Vec2};
 use crate::law::ball_cushion::Law;
-use crate::model::Table;
+use crate::model::{Table, Twist};
 use crate::scenario::schema::{Ball, Flight, Physics};
+use crate::scenario::start::BallStart;
 use crate::scenario::system::cushion_law;
 
 /// Notes a missing duration where not everything comes to rest.
@@ -27,9 +28,10 @@ fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
     let field = match draft.physics.flight() {
         Flight::Free => Vec2::ZERO,
         Flight::Field { acceleration } => Vec2::from_f64(*acceleration),
-        Flight::Cloth { restitution, air, .. } => {
+        Flight::Cloth { gravity, restitution, air, .. } => {
             let bounces = *air && *restitution == 1.0;
-            return bounces.then(|| "the cloth gives all the speed of a fall back".into());
+            let endless = bounces.then(|| "the cloth gives all the speed of a fall back".into());
+            return endless.or_else(|| never_slows(draft, *gravity));
         }
     };
     if field != Vec2::ZERO {
@@ -45,6 +47,30 @@ fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
     };
     let (_, ball) = draft.balls().find(is_moving)?;
     Some(format!("no field pulls ball {:?} onto a cushion that would hold it", ball.id))
+}
+
+/// What goes on for ever on a cloth on which something moves, if anything may. Which balls will slide, roll or spin there
+/// only the run can tell: so each of them must slow down at all of these.
+fn never_slows(draft: &Draft<'_>, gravity: f64) -> Option<String> {
+    let start =
+        |(index, ball): (usize, &Ball)| ball.start(index, draft.ball_defaults, &mut |_, value: f64| value);
+    let moves = |start: BallStart<f64>| start.twist() != Twist::REST || start.position.z > start.radius;
+    if draft.shot.is_none() && !draft.balls().map(start).any(moves) {
+        return None;
+    }
+    if gravity == 0.0 {
+        return Some("without gravity no ball rubs on the cloth".into());
+    }
+    draft.balls().find_map(|(index, ball)| {
+        let start = start((index, ball));
+        let frictions = [
+            ("sliding_friction", start.sliding_friction, "slides"),
+            ("rolling_friction", start.rolling_friction, "rolls"),
+            ("spin_decay", start.spin_decay, "spins"),
+        ];
+        let (key, _, motion) = frictions.into_iter().find(|(_, friction, _)| *friction == 0.0)?;
+        Some(format!("nothing slows ball {:?} while it {motion}, since its {key} is 0", ball.id))
+    })
 }
 
 fn law_of(physics: &Physics, id: &str) -> Law<f64> {

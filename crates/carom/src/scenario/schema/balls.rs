@@ -16,17 +16,17 @@ pub struct BallDefaults {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub mass: Option<f64>,
-    /// Coefficient of sliding friction with the cloth; positive; absent: 0.2.
+    /// Coefficient of sliding friction with the cloth; zero or positive; absent: 0.2.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    #[schemars(range(min = 0.0))]
     pub sliding_friction: Option<f64>,
-    /// Coefficient of rolling friction with the cloth; positive; absent: 0.01.
+    /// Coefficient of rolling friction with the cloth; zero or positive; absent: 0.01.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    #[schemars(range(min = 0.0))]
     pub rolling_friction: Option<f64>,
-    /// Rate at which the cloth slows the spin about the vertical, in radians per time squared; positive; absent: 10.9.
+    /// Rate at which the cloth slows the spin about the vertical, in radians per time squared; zero or positive; absent: 10.9.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    #[schemars(range(min = 0.0))]
     pub spin_decay: Option<f64>,
     /// Colour in figures and films.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -48,17 +48,17 @@ pub struct Ball {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub mass: Option<f64>,
-    /// Coefficient of sliding friction with the cloth; positive; absent: that of `ball_defaults`, or 0.2.
+    /// Coefficient of sliding friction with the cloth; zero or positive; absent: that of `ball_defaults`, or 0.2.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    #[schemars(range(min = 0.0))]
     pub sliding_friction: Option<f64>,
-    /// Coefficient of rolling friction with the cloth; positive; absent: that of `ball_defaults`, or 0.01.
+    /// Coefficient of rolling friction with the cloth; zero or positive; absent: that of `ball_defaults`, or 0.01.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    #[schemars(range(min = 0.0))]
     pub rolling_friction: Option<f64>,
-    /// Rate at which the cloth slows the spin about the vertical, in radians per time squared; positive; absent: that of `ball_defaults`, or 10.9.
+    /// Rate at which the cloth slows the spin about the vertical, in radians per time squared; zero or positive; absent: that of `ball_defaults`, or 10.9.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    #[schemars(range(min = 0.0))]
     pub spin_decay: Option<f64>,
     /// Centre [x, y] at time 0, in length; over a cloth [x, y, z], with the height of the centre. To be left out only by a
     /// ball of the rack.

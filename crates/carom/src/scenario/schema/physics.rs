@@ -85,9 +85,9 @@ pub enum Flight {
     /// Rolling, sliding and spinning on a cloth, and through the air above it: the balls are spheres. How a ball rubs on
     /// the cloth stands among its own keys.
     Cloth {
-        /// Acceleration of free fall, in length per time squared; positive; absent: 9.81.
+        /// Acceleration of free fall, in length per time squared; zero or positive; absent: 9.81.
         #[serde(default = "earth")]
-        #[schemars(extend("exclusiveMinimum" = 0.0))]
+        #[schemars(range(min = 0.0))]
         gravity: f64,
         /// Speed up from the cloth over speed down to it, of a ball that lands, from 0 to 1; absent: 0.5.
         #[serde(default = "half")]
