@@ -10,6 +10,13 @@
 
 mod ball_ball_with_spin;
 mod closed_forms;
+mod cloth_clusters;
+mod cloth_continuation;
+mod cloth_events;
+mod cloth_invariants;
+mod cloth_motion;
+mod cloth_pressed;
+mod cloth_shots;
 mod clusters;
 mod conservation;
 mod continuation;
@@ -17,7 +24,6 @@ mod corners;
 mod cue_strike;
 mod cushions_with_spin;
 mod double_double;
-
 mod dual;
 mod extremes;
 mod fast_path;
@@ -29,6 +35,7 @@ mod laws;
 mod laws_with_spin;
 mod leaks;
 mod midterm;
+mod pockets;
 mod references;
 mod resting;
 mod run_files;
@@ -36,3 +43,5 @@ mod stepped;
 mod symmetry;
 mod tampered_runs;
 mod termination;
+mod through_the_air;
+mod without_friction;

@@ -83,13 +83,16 @@ impl<S: Scalar> Spheres<S> {
     }
 
     /// Two balls that are pressed together, because one brakes harder, part with a hop that lasts t_c at least, and with
-    /// more than round-off in any case; else they would meet without end.
+    /// more than round-off in any case; else they would meet without end. Pressed are those that do not close, or that
+    /// had a contact just now: what meets at first is left to the law, or grazes would be blows.
     fn let_hop(&self, meeting: &mut Meeting<S>, time: S) {
         let [a, b] = self.flights_of(meeting, time).map(|(_, flight)| flight);
         let normal = meeting.normal;
         let pull = (a.acceleration() - b.acceleration()).dot(normal);
         let round_off = threshold(&meeting.balls) * S::from_f64(4.0);
-        let hop_speed = pull * self.hop_time(&meeting.balls);
+        let is_pressed = meeting.closing_speed <= threshold(&meeting.balls)
+            || meeting.balls.iter().any(|ball| self.is_pressed(ball.ball, time));
+        let hop_speed = if is_pressed { pull * self.hop_time(&meeting.balls) } else { S::ZERO };
         let least = if hop_speed > round_off { hop_speed } else { round_off };
         let parting = b.velocity_after(S::ZERO) - a.velocity_after(S::ZERO);
         let lacking = least - parting.dot(normal);
@@ -99,6 +102,11 @@ impl<S: Scalar> Spheres<S> {
             let hop = hop([(spheres[0], twists[0]), (spheres[1], twists[1])], meeting.normal, lacking);
             meeting.impact = SphereImpact { twists: hop.twists, impulse: impulse + hop.impulse };
         }
+    }
+
+    /// Whether a ball had a contact so short a time ago that it may be pressed onto something: 2 t_c, in which a hop ends.
+    pub(super) fn is_pressed(&self, ball: usize, time: S) -> bool {
+        time - self.balls[ball].track.last_contact < self.system.hop_times[ball] * S::from_f64(2.0)
     }
 
     /// Half the time that a hop lasts at least: t_c/2.

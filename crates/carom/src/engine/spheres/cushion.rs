@@ -35,7 +35,8 @@ impl<S: Scalar> Spheres<S> {
         };
         let new_flight =
             |after| self.flight_after(ball, time, present.position, &hit.twist, after, Cause::Cushion);
-        let after = match self.lacking_speed(&present, &new_flight(after), hit.closing_normal()) {
+        let is_pressed = closing_speed <= threshold(&[present]) || self.is_pressed(ball, time);
+        let after = match self.lacking_speed(&present, &new_flight(after), hit.closing_normal(), is_pressed) {
             Some(lacking) => hop(&hit, after, lacking),
             None => after,
         };
@@ -59,10 +60,18 @@ impl<S: Scalar> Spheres<S> {
         self.emit(&event, observer);
     }
 
-    /// What a ball that is pulled onto a cushion lacks of the speed of a hop that lasts t_c, and any of more than round-off.
-    fn lacking_speed(&self, ball: &Present<S>, flight: &SphereFlight<S>, normal: Vec3<S>) -> Option<S> {
+    /// What a ball that is pressed onto a cushion lacks of the speed of a hop that lasts t_c, and any of more than
+    /// round-off.
+    fn lacking_speed(
+        &self,
+        ball: &Present<S>,
+        flight: &SphereFlight<S>,
+        normal: Vec3<S>,
+        is_pressed: bool,
+    ) -> Option<S> {
         let pull = -flight.acceleration().dot(normal);
-        let hop_speed = pull * self.system.hop_times[ball.ball] * S::from_f64(0.5);
+        let hop_time = if is_pressed { self.system.hop_times[ball.ball] } else { S::ZERO };
+        let hop_speed = pull * hop_time * S::from_f64(0.5);
         let round_off = threshold(&[*ball]) * S::from_f64(4.0);
         let least = if hop_speed > round_off { hop_speed } else { round_off };
         let lacking = least - flight.velocity_after(S::ZERO).dot(normal);

@@ -1,5 +1,6 @@
 //! What the tests of the engine share: a random generator, tables and scenarios, and measurements of their own.
 
+pub mod cloth;
 pub mod images;
 pub mod random;
 pub mod room;
