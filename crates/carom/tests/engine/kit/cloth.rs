@@ -2,8 +2,9 @@
 
 use super::random::Random;
 use super::scenes::rectangle;
-use carom::flight::SphereState;
+use carom::flight::{Motion, SphereState};
 use carom::geometry::{Vec2, Vec3};
+use carom::model::Face;
 use carom::run::{Event, Kind, OnCloth, Run};
 use carom::scenario::Scenario;
 use carom::simulate::simulate_until;
@@ -176,4 +177,46 @@ fn any_shot(random: &mut Random) -> Value {
     value["shot"] = json!({ "V0": random.between(0.2, 5.0), "phi_deg": random.between(0.0, 360.0),
         "theta_deg": theta, "a": a, "b": b });
     value
+}
+
+/// The deepest overlap of any two balls, and of any ball on the cloth with a cushion, at many times of a run.
+///
+/// Places are computed from the flights as they are logged, and distances as the tests see them.
+pub fn deepest_overlap(run: &ClothRun, per_gap: usize) -> f64 {
+    let mut deepest = f64::NEG_INFINITY;
+    for time in sampled_times(run, per_gap) {
+        let states = at(run, time);
+        let in_play = |ball: &usize| !states[*ball].motion.is_out();
+        for a in (0..states.len()).filter(in_play) {
+            for b in (0..a).filter(in_play) {
+                let [one, two] = [a, b].map(|ball| states[ball].position);
+                let radii = run.system.spheres[a].radius + run.system.spheres[b].radius;
+                deepest = deepest.max(radii - (one - two).norm());
+            }
+            if states[a].motion != Motion::Airborne {
+                let place = states[a].position.plan();
+                let faces = run.system.faces.iter();
+                deepest = faces
+                    .map(|face| run.system.noses[a].reach - distance(face, place))
+                    .fold(deepest, f64::max);
+            }
+        }
+    }
+    deepest
+}
+
+/// The distance of a place from a cushion; behind one it is none of it.
+fn distance(face: &Face<f64>, place: Vec2<f64>) -> f64 {
+    match face {
+        Face::Line(line) => {
+            let from = place - line.start;
+            let foot = from.dot(line.along).clamp(0.0, line.length);
+            let away = (from - line.along * foot).norm();
+            if from.dot(line.along.left()) < -RADIUS { f64::INFINITY } else { away }
+        }
+        Face::Round(round) => {
+            let from = place - round.arc.center;
+            if round.arc.spans(from, 0.0) { (from.norm() - round.arc.radius).abs() } else { f64::INFINITY }
+        }
+    }
 }
