@@ -6,7 +6,8 @@
 
 use carom::run::{Digest, PHYSICS_VERSION};
 use carom::scenario::Scenario;
-use carom::simulate::simulate;
+use carom::simulate::AnyRun;
+use carom::with_any;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -39,8 +40,9 @@ fn digests() -> BTreeMap<String, Digest> {
         let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
         let text = std::fs::read_to_string(&path).unwrap();
         let scenario = Scenario::from_toml(&text).unwrap_or_else(|error| panic!("{name}:\n{error}"));
-        let run = simulate(&scenario).unwrap_or_else(|error| panic!("{name}: {error}"));
-        (name, run.digest().expect("no number is NaN"))
+        let run = AnyRun::simulate(&scenario, None, &mut || false)
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
+        (name, with_any!(run, run => run.digest()).expect("no number is NaN"))
     };
     files.map(|entry| digest(entry.unwrap().path())).collect()
 }

@@ -17,13 +17,22 @@ use std::sync::Arc;
 
 /// The name and text of every file in `scenarios/` that is one of discs, in order.
 pub fn scenario_files() -> Vec<(String, String)> {
+    let has_cloth = |text: &str| Scenario::from_toml(text).unwrap().expanded().physics.has_cloth();
+    all_files().into_iter().filter(|(_, text)| !has_cloth(text)).collect()
+}
+
+/// The name of every scenario in `scenarios/` that is one of balls on a cloth, in order.
+pub fn cue_sports() -> Vec<(String, Scenario)> {
+    let all = all_files().into_iter().map(|(name, text)| (name, Scenario::from_toml(&text).unwrap()));
+    all.filter(|(_, scenario)| scenario.expanded().physics.has_cloth()).collect()
+}
+
+fn all_files() -> Vec<(String, String)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../scenarios");
     let mut files: Vec<PathBuf> = folder.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
     files.sort();
     let stem = |path: &PathBuf| path.file_stem().unwrap().to_str().unwrap().to_owned();
-    let all = files.iter().map(|path| (stem(path), std::fs::read_to_string(path).unwrap()));
-    let has_cloth = |text: &str| Scenario::from_toml(text).unwrap().expanded().physics.has_cloth();
-    all.filter(|(_, text)| !has_cloth(text)).collect()
+    files.iter().map(|path| (stem(path), std::fs::read_to_string(path).unwrap())).collect()
 }
 
 /// The scenario of that name in `scenarios/`.
