@@ -7,6 +7,9 @@ use carom::geometry::Vec3;
 use carom::run::Kind;
 use serde_json::{Value, json};
 
+/// Where the pocket is.
+const HOLE: [f64; 2] = [0.2, 0.3];
+
 /// A motion of the plane: a turn, after a mirror on the y axis or none.
 #[derive(Clone, Copy)]
 struct Image {
@@ -44,7 +47,8 @@ fn movers(seed: u64) -> Vec<Mover> {
         let is_free = |other: &Mover| {
             libm::hypot(other.position[0] - position[0], other.position[1] - position[1]) > 2.0 * RADIUS
         };
-        if !balls.iter().all(is_free) {
+        let is_on_the_cloth = libm::hypot(position[0] - HOLE[0], position[1] - HOLE[1]) > 0.1;
+        if !is_on_the_cloth || !balls.iter().all(is_free) {
             continue;
         }
         let rise = if random.below(4) == 0 { random.between(0.0, 0.6) } else { 0.0 };
@@ -78,7 +82,7 @@ fn scene(seed: u64, image: Image) -> Value {
     }
     let mut table = polygon(&corners);
     table["nose_height"] = json!(0.036);
-    let pocket = json!({ "id": "hole", "center": image.of([0.2, 0.3]), "radius": 0.06 });
+    let pocket = json!({ "id": "hole", "center": image.of(HOLE), "radius": 0.06 });
     table["pockets"] = json!([pocket]);
     on_table(&table, &law[seed as usize % 4], &balls)
 }

