@@ -95,8 +95,9 @@ impl<S: Scalar, E: Engine<S>> Simulation<S, E> {
     pub fn resume(run: &Run<S, E::Dynamics>, limits: Limits<S>) -> Self {
         let engine = E::resume(run);
         let seen = limits.until.map_or(0, |kind| run.diagnostics.events[kind as usize]);
-        // A run that collapsed has nowhere to go.
-        let status = Some(run.status).filter(|status| *status == Status::Collapsed);
+        // A run that collapsed has nowhere to go, nor has one in which the cue slipped off.
+        let is_over = |status: &Status| matches!(status, Status::Collapsed | Status::Miscue);
+        let status = Some(run.status).filter(is_over);
         Self { engine, limits, time: run.end_time, status, seen, no_limit_before: limits.fewest_events() }
     }
 

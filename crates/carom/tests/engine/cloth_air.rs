@@ -1,6 +1,6 @@
 //! Balls in the air: over cushions and pockets, and at the noses of cushions, against plain bisection.
 
-use crate::kit::cloth::{RADIUS, ball, play};
+use crate::kit::cloth::{RADIUS, ball, run};
 use crate::kit::random::Random;
 use carom::run::{Kind, OnCloth, Run};
 use serde_json::{Value, json};
@@ -9,7 +9,7 @@ const GRAVITY: f64 = 9.81;
 const NOSE: f64 = 0.0365;
 
 fn launched(table: &Value, position: [f64; 2], velocity: [f64; 3]) -> Run<f64, OnCloth> {
-    play(&json!({
+    run(&json!({
         "table": table,
         "physics": { "flight": { "law": "cloth" } },
         "ball_defaults": { "radius": RADIUS, "mass": 0.170_097 },

@@ -1,10 +1,10 @@
 //! A run on the cloth in pieces is the run at once, to the last bit; and in other numbers it is the same run.
 
-use crate::kit::cloth::{ball, bits, checked, random_shot, run, scene};
+use crate::kit::cloth::{ball, bits, checked, played, random_shot, scene};
 use crate::kit::random::Random;
 use carom::engine::{Limits, Simulation, Spheres};
 use carom::flight::SphereState;
-use carom::run::{Log, OnCloth, Run, from_json, to_json};
+use carom::run::{Log, OnCloth, Run, Status, from_json, to_json};
 use carom::scalar::{DoubleDouble, Dual, Scalar};
 use carom::scenario::{ClothSystem, Scenario};
 use carom::simulate::{resume, start, verify};
@@ -14,7 +14,7 @@ use std::sync::Arc;
 fn shots() -> impl Iterator<Item = (u64, Scenario, Run<f64, OnCloth>)> {
     (0..24).map(|seed| {
         let scenario = checked(&random_shot(seed));
-        let run = run(&scenario);
+        let run = played(&scenario);
         (seed, scenario, run)
     })
 }
@@ -73,18 +73,27 @@ fn a_resumed_run_is_the_run_at_once() {
                 random.choose(&whole.log.events).time
             };
             first.duration = Some(at);
-            let part = saved_and_read(&first, &run(&first));
+            let part = saved_and_read(&first, &played(&first));
             let joined = resume(&scenario, &part, None, &mut || false).unwrap();
             assert_same(&joined, &whole, &format!("shot {seed}, cut at {at}"));
         }
         for collisions in [0, 1, 2, 5, 13] {
             let mut first = scenario.clone();
             first.collisions = Some(collisions);
-            let part = saved_and_read(&first, &run(&first));
+            let part = saved_and_read(&first, &played(&first));
             let joined = resume(&scenario, &part, None, &mut || false).unwrap();
             assert_same(&joined, &whole, &format!("shot {seed}, after {collisions} collisions"));
         }
     }
+}
+
+#[test]
+fn a_miscue_stays_one_when_the_run_is_resumed() {
+    let scenario = checked(&random_shot(1)).with_values(&[("shot.a", json!(0.8))]).unwrap();
+    let whole = played(&scenario);
+    assert_eq!(whole.status, Status::Miscue);
+    let joined = resume(&scenario, &saved_and_read(&scenario, &whole), None, &mut || false).unwrap();
+    assert_same(&joined, &whole, "miscue");
 }
 
 #[test]
@@ -144,8 +153,8 @@ fn the_derivative_by_the_direction_of_a_shot_is_that_of_differences() {
     };
     let (collisions, states) = states_in(&cut_shot(phi), dual);
     assert!(collisions >= 3, "balls and cushions: {collisions}");
-    let [low, high] = [-step, step].map(|change| run(&cut_shot(phi + change)).final_state());
-    let plain = run(&cut_shot(phi)).final_state();
+    let [low, high] = [-step, step].map(|change| played(&cut_shot(phi + change)).final_state());
+    let plain = played(&cut_shot(phi)).final_state();
     for ball in 0..2 {
         let (found, at) = (states[ball].position, plain[ball].position);
         assert_eq!([found.x.value, found.y.value], [at.x, at.y], "the real part has the bits of f64");
@@ -166,7 +175,7 @@ fn the_derivative_by_the_direction_of_a_shot_is_that_of_differences() {
 
 #[test]
 fn twice_as_many_digits_give_the_same_shot() {
-    let plain = run(&cut_shot(1.0)).final_state();
+    let plain = played(&cut_shot(1.0)).final_state();
     let (_, states) = states_in(&cut_shot(1.0), |_, value| DoubleDouble::from_f64(value));
     for (found, plain) in states.iter().zip(&plain) {
         // Roundings of 1e-15 that a cut of two balls half a metre apart enlarges by 0.6/0.0286 and more.

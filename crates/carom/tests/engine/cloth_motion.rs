@@ -1,6 +1,6 @@
 //! Single balls on the cloth and in the air, in whole runs: against the closed forms of the motion.
 
-use crate::kit::cloth::{RADIUS, ball, energy, no_higher, only, play, scene};
+use crate::kit::cloth::{RADIUS, ball, energy, no_higher, only, run, scene};
 use crate::kit::random::Random;
 use carom::flight::{Motion, SphereFlight, SphereState};
 use carom::geometry::{Vec2, Vec3};
@@ -9,7 +9,7 @@ use serde_json::json;
 
 /// A run of one ball on a table so large that it meets no cushion.
 fn one(ball: serde_json::Value) -> Run<f64, OnCloth> {
-    play(&scene(&json!([ball])))
+    run(&scene(&json!([ball])))
 }
 
 fn close(a: f64, b: f64, tolerance: f64, what: &str) {
@@ -102,10 +102,10 @@ fn vertical_spin_goes_down_at_its_own_rate_in_any_motion() {
 
 #[test]
 fn bounces_are_a_geometric_series_until_they_are_too_low_to_see() {
-    let run = one(ball("a", [0.0, 0.0], &json!({ "velocity": [0, 0, 1] })));
-    assert_eq!(run.log.flights[0].1.motion, Motion::Airborne);
-    close(run.state(1.0 / 9.81).unwrap()[0].position.z - RADIUS, 0.050_968, 1e-6, "apex");
-    let landings: Vec<f64> = (run.log.events.iter())
+    let lone = one(ball("a", [0.0, 0.0], &json!({ "velocity": [0, 0, 1] })));
+    assert_eq!(lone.log.flights[0].1.motion, Motion::Airborne);
+    close(lone.state(1.0 / 9.81).unwrap()[0].position.z - RADIUS, 0.050_968, 1e-6, "apex");
+    let landings: Vec<f64> = (lone.log.events.iter())
         .filter(|event| event.kind == Kind::BallCloth)
         .map(|event| event.time)
         .collect();
@@ -118,8 +118,8 @@ fn bounces_are_a_geometric_series_until_they_are_too_low_to_see() {
     // Without a least hop all bounces are over by 2 v/(g (1 − e)).
     let mut value = scene(&json!([ball("a", [0.0, 0.0], &json!({ "velocity": [0, 0, 1] }))]));
     value["physics"]["flight"]["min_hop"] = json!(1e-14);
-    let run = play(&value);
-    let last = run.log.events.iter().map(|event| event.time).fold(0.0, f64::max);
+    let all = run(&value);
+    let last = all.log.events.iter().map(|event| event.time).fold(0.0, f64::max);
     // Hops of 1e-14 m take √(8 · 1e-14/g) = 9e-8 s: as much at most is left of the series.
     close(last, 4.0 / 9.81, 2e-7, "all bounces");
     close(last, 0.407_747, 1e-6, "printed");
@@ -152,7 +152,7 @@ fn without_air_balls_stay_on_the_cloth() {
         ));
     value["physics"]["flight"]["air"] = json!(false);
     value["shot"] = json!({ "cue_ball": "a", "V0": 4, "phi_deg": 0, "theta_deg": 40 });
-    let run = play(&value);
+    let run = run(&value);
     assert!(run.log.flights.iter().all(|(_, flight)| flight.motion != Motion::Airborne));
     assert!(run.diagnostics.collisions() > 0);
     no_higher(&run, RADIUS, 0.03);
@@ -165,7 +165,7 @@ fn without_friction_balls_keep_their_motion() {
     value["ball_defaults"] = json!({
         "radius": RADIUS, "mass": 0.17, "sliding_friction": 0, "rolling_friction": 0, "spin_decay": 0 });
     value["duration"] = json!(4);
-    let run = play(&value);
+    let run = run(&value);
     assert_eq!(run.log.events.len(), 0);
     let state = run.final_state()[0];
     assert_eq!(state.twist.velocity, Vec3::new(1.0, 0.5, 0.0));
@@ -178,7 +178,7 @@ fn without_rolling_friction_a_ball_rolls_on() {
     let mut value =
         scene(&json!([ball("a", [-8.0, 0.0], &json!({ "velocity": [1, 0], "rolling_friction": 0 }))]));
     value["duration"] = json!(10);
-    let run = play(&value);
+    let run = run(&value);
     assert_eq!(only(&run), [Kind::SlideToRoll]);
     let state = run.final_state()[0];
     assert_eq!((state.motion, run.status.name()), (Motion::Rolling, "time_limit"));
@@ -196,7 +196,7 @@ fn without_gravity_nothing_slows_and_nothing_falls() {
         ]));
         value["physics"]["flight"]["gravity"] = json!(0);
         value["duration"] = json!(3);
-        let run = play(&value);
+        let run = run(&value);
         let state = run.final_state()[0];
         assert_eq!(state.position, Vec3::new(end[0], end[1], end[2]));
         assert_eq!(state.twist.spin, Vec3::new(4.0, 5.0, 0.0));
@@ -210,7 +210,7 @@ fn balls_that_roll_side_by_side_or_one_after_the_other_do_not_meet() {
         |id: &str, at: [f64; 2]| ball(id, at, &json!({ "velocity": [1, 0], "spin": [0, 1.0 / RADIUS, 0] }));
     for gap in [0.0, 1e-12, 0.3] {
         for at in [[2.0 * RADIUS + gap, 0.0], [0.0, 2.0 * RADIUS + gap]] {
-            let run = play(&scene(&json!([rolls("a", [0.0, 0.0]), rolls("b", at)])));
+            let run = run(&scene(&json!([rolls("a", [0.0, 0.0]), rolls("b", at)])));
             assert_eq!(only(&run), [Kind::RollToRest; 2], "gap {gap}");
         }
     }
@@ -218,7 +218,7 @@ fn balls_that_roll_side_by_side_or_one_after_the_other_do_not_meet() {
 
 #[test]
 fn a_rolling_ball_meets_a_ball_at_rest_at_the_root_of_the_quartic() {
-    let run = play(&scene(&json!([
+    let run = run(&scene(&json!([
         ball("a", [0.0, 0.0], &json!({ "velocity": [1, 0], "spin": [0, 1.0 / RADIUS, 0] })),
         ball("b", [0.5, RADIUS], &json!({})),
     ])));

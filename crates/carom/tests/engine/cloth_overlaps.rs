@@ -1,6 +1,6 @@
 //! Recorded flights looked at densely: no two balls overlap at any time, and where balls meet they touch.
 
-use crate::kit::cloth::{play, random_shot};
+use crate::kit::cloth::{random_shot, run};
 use carom::flight::SphereState;
 use carom::run::{Kind, OnCloth, Run};
 
@@ -17,7 +17,7 @@ fn gap(run: &Run<f64, OnCloth>, states: &[SphereState<f64>], a: usize, b: usize)
 fn no_two_balls_overlap_between_events_and_at_events_they_touch() {
     let (mut looks, mut meetings) = (0_u64, 0_u64);
     for seed in 0..100 {
-        let run = play(&random_shot(seed));
+        let run = run(&random_shot(seed));
         let mut times: Vec<f64> = run.log.events.iter().map(|event| event.time).collect();
         times.insert(0, 0.0);
         times.push(run.end_time);

@@ -1,6 +1,6 @@
 //! Balls that are pressed onto each other or onto cushions come to rest after a number of events that has a bound.
 
-use crate::kit::cloth::{RADIUS, ball, play};
+use crate::kit::cloth::{RADIUS, ball, run};
 use crate::kit::random::Random;
 use carom::run::{OnCloth, Run};
 use serde_json::{Value, json};
@@ -43,7 +43,7 @@ fn rests(what: &str, balls: &[Value]) {
     for nose in [RADIUS, 1.27 * RADIUS] {
         for cushion in cushions() {
             for meeting in meetings() {
-                let run = play(&boxed(balls, nose, &cushion, &meeting));
+                let run = run(&boxed(balls, nose, &cushion, &meeting));
                 is_sound(&format!("{what}, nose {nose}, {cushion}, {meeting}"), &run);
             }
         }
@@ -94,7 +94,7 @@ fn a_ball_frozen_to_a_cushion_that_slides_into_it() {
             let at = ball("a", [reach(nose), 0.9], &json!({ "velocity": velocity, "spin": spin }));
             for cushion in cushions() {
                 let run =
-                    play(&boxed(std::slice::from_ref(&at), nose, &cushion, &json!({ "law": "elastic" })));
+                    run(&boxed(std::slice::from_ref(&at), nose, &cushion, &json!({ "law": "elastic" })));
                 is_sound(&format!("{velocity:?} {spin:?} {nose} {cushion}"), &run);
             }
         }
@@ -117,7 +117,7 @@ fn follow_pressed_onto_a_ball_frozen_to_a_cushion() {
             ];
             for cushion in cushions() {
                 for meeting in meetings() {
-                    let run = play(&boxed(&balls, nose, &cushion, &meeting));
+                    let run = run(&boxed(&balls, nose, &cushion, &meeting));
                     is_sound(&format!("{away} {velocity:?} {spin:?} {nose} {cushion} {meeting}"), &run);
                 }
             }
@@ -141,7 +141,7 @@ fn balls_pressed_into_a_corner() {
             ];
             for cushion in cushions() {
                 for meeting in meetings() {
-                    let run = play(&boxed(&balls, nose, &cushion, &meeting));
+                    let run = run(&boxed(&balls, nose, &cushion, &meeting));
                     is_sound(&format!("{spin:?} {tilt} {nose} {cushion} {meeting}"), &run);
                 }
             }

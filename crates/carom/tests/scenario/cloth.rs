@@ -72,6 +72,43 @@ fn everything_comes_to_rest_on_a_cloth_but_not_on_one_that_is_a_trampoline() {
 }
 
 #[test]
+fn a_run_on_a_cloth_that_does_not_slow_what_moves_needs_a_duration() {
+    let missing = |reason: &str| {
+        [format!(
+            "duration: missing, and not everything comes to rest: {reason}; give duration or collisions"
+        )]
+    };
+    let moving = "velocity = [1, 0]\n";
+    let cases = [
+        ("physics.flight.gravity = 0", "without gravity no ball rubs on the cloth"),
+        (
+            "ball_defaults.sliding_friction = 0",
+            "nothing slows ball \"cue\" while it slides, since its sliding_friction is 0",
+        ),
+        (
+            "ball_defaults.rolling_friction = 0",
+            "nothing slows ball \"cue\" while it rolls, since its rolling_friction is 0",
+        ),
+        (
+            "ball_defaults.spin_decay = 0",
+            "nothing slows ball \"cue\" while it spins, since its spin_decay is 0",
+        ),
+    ];
+    for (keys, reason) in cases {
+        assert_eq!(on_cloth(keys, moving), missing(reason));
+        assert_eq!(on_cloth(keys, "spin = [0, 0, 1]\n"), missing(reason), "a ball that spins moves");
+        assert_eq!(on_cloth(keys, "[shot]\nV0 = 1\nphi_deg = 0\n"), missing(reason));
+        assert_eq!(on_cloth(keys, ""), [""; 0], "nothing moves");
+        assert_eq!(on_cloth(&format!("duration = 1\n{keys}"), moving), [""; 0]);
+        assert_eq!(on_cloth(&format!("collisions = 3\n{keys}"), moving), [""; 0]);
+    }
+    let floating = "position = [0.5, 0.5, 0.5]";
+    let text = format!("physics.flight = {{ law = 'cloth', gravity = 0 }}\n{TABLE}{BALL}");
+    let text = text.replace("position = [0.5, 0.5]", floating);
+    assert_eq!(problems(&text), missing("without gravity no ball rubs on the cloth"));
+}
+
+#[test]
 fn what_rolls_needs_a_cloth() {
     let needs = "needs physics.flight.law = \"cloth\"";
     let discs = |head: &str, tail: &str| problems(&format!("duration = 1\n{head}\n{TABLE}{BALL}{tail}"));
@@ -100,31 +137,6 @@ fn what_rolls_needs_a_cloth() {
             .map(|place| format!("{place}: {needs}")),
         "all of them at once"
     );
-}
-
-#[test]
-fn what_nothing_slows_needs_an_end() {
-    let scene = |ball: &str, keys: &str| {
-        problems(&format!("physics.flight.law = 'cloth'\n{keys}\n{TABLE}{BALL}{ball}\n"))
-    };
-    let endless = |reason: &str| {
-        [format!(
-            "duration: missing, and not everything comes to rest: {reason}; give duration or collisions"
-        )]
-    };
-    for key in ["sliding_friction", "rolling_friction", "spin_decay"] {
-        let zero = format!("ball_defaults.{key} = 0");
-        let found = endless(&format!("ball \"cue\" has no {key}"));
-        assert_eq!(scene("velocity = [1, 0]", &zero), found, "{key}");
-        assert_eq!(scene("spin = [0, 0, 1]", &zero), found, "{key}");
-        assert_eq!(scene("[shot]\nV0 = 1\nphi_deg = 0", &zero), found, "{key}");
-        assert_eq!(scene("velocity = [1, 0]", &format!("duration = 1\n{zero}")), [""; 0], "{key}");
-        assert_eq!(scene("", &zero), [""; 0], "nothing moves");
-    }
-    let found = endless("without gravity nothing presses the balls onto the cloth");
-    assert_eq!(scene("velocity = [1, 0]", "physics.flight.gravity = 0"), found);
-    assert_eq!(scene("velocity = [1, 0]", "duration = 1\nphysics.flight.gravity = 0"), [""; 0]);
-    assert_eq!(scene("velocity = [1, 0]", ""), [""; 0]);
 }
 
 #[test]

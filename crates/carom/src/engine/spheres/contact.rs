@@ -91,13 +91,15 @@ impl<S: Scalar> Spheres<S> {
     }
 
     /// Two balls that are pressed together, because one brakes harder, part with a hop that lasts t_c at least, and with
-    /// more than round-off in any case; else they would meet without end.
+    /// more than round-off in any case; else they would meet without end. Pressed are those that do not close, or that
+    /// had a contact just now: what meets at first is left to the law, or grazes would be blows.
     fn let_hop(&self, meeting: &mut Meeting<S>, time: S) {
         let [a, b] = self.flights_of(meeting, time).map(|(_, flight)| flight);
         let normal = meeting.normal;
         let pull = (a.acceleration() - b.acceleration()).dot(normal);
         let parting = (b.velocity_after(S::ZERO) - a.velocity_after(S::ZERO)).dot(normal);
-        if let Some(lacking) = self.lacking_speed(&meeting.balls, pull, parting) {
+        let is_pressed = self.is_pressed(&meeting.balls, meeting.closing_speed, time);
+        if let Some(lacking) = self.lacking_speed(&meeting.balls, is_pressed, pull, parting) {
             let spheres = meeting.balls.map(|ball| ball.sphere);
             let SphereImpact { twists, impulse } = meeting.impact;
             let hop = hop_apart([(spheres[0], twists[0]), (spheres[1], twists[1])], meeting.normal, lacking);
@@ -105,12 +107,27 @@ impl<S: Scalar> Spheres<S> {
         }
     }
 
-    /// What balls that are pulled together, or one that is pulled onto a cushion, lack of the speed of a hop that lasts t_c;
-    /// in any case of more than round-off.
-    pub(super) fn lacking_speed(&self, balls: &[Present<S>], pull: S, parting_speed: S) -> Option<S> {
+    /// Whether balls in a contact are pressed rather than struck: they do not close, or one had a contact less than 2 t_c
+    /// ago, in which a hop ends. What meets at first is left to the law, or grazes would be blows.
+    pub(super) fn is_pressed(&self, balls: &[Present<S>], closing_speed: S, time: S) -> bool {
+        let is_hopping = |ball: usize| {
+            time - self.balls[ball].track.last_contact < self.system.hop_times[ball] * S::from_f64(2.0)
+        };
+        closing_speed <= threshold(balls) || balls.iter().any(|present| is_hopping(present.ball))
+    }
+
+    /// What balls that are pulled together, or one that is pulled onto a cushion, lack of the speed of a hop that lasts t_c
+    /// if they are pressed; in any case of more than round-off.
+    pub(super) fn lacking_speed(
+        &self,
+        balls: &[Present<S>],
+        is_pressed: bool,
+        pull: S,
+        parting_speed: S,
+    ) -> Option<S> {
         let times = balls.iter().map(|ball| self.system.hop_times[ball.ball]);
         let hop_time = times.fold(S::INFINITY, |least, time| if time < least { time } else { least });
-        let hop_speed = pull * (hop_time * S::from_f64(0.5));
+        let hop_speed = if is_pressed { pull * (hop_time * S::from_f64(0.5)) } else { S::ZERO };
         let round_off = threshold(balls) * S::from_f64(4.0);
         let lacking = (if hop_speed > round_off { hop_speed } else { round_off }) - parting_speed;
         (lacking > S::ZERO).then_some(lacking)

@@ -39,7 +39,8 @@ impl<S: Scalar> Spheres<S> {
         let (away, level) = (new_flight(after), hit.closing_normal());
         let (pull, parting_speed) =
             (-away.acceleration().dot(level), away.velocity_after(S::ZERO).dot(level));
-        if let Some(lacking) = self.lacking_speed(&[present], pull, parting_speed) {
+        let is_pressed = self.is_pressed(&[present], closing_speed, time);
+        if let Some(lacking) = self.lacking_speed(&[present], is_pressed, pull, parting_speed) {
             after = hop_away(&hit.sphere, after, level, lacking);
         }
         if self.is_jammed(&present, time) {

@@ -30,8 +30,8 @@ fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
         Flight::Field { acceleration } => Vec2::from_f64(*acceleration),
         Flight::Cloth { gravity, restitution, air, .. } => {
             let bounces = *air && *restitution == 1.0;
-            let reason = bounces.then(|| "the cloth gives all the speed of a fall back".into());
-            return reason.or_else(|| keeps_moving(draft, *gravity));
+            let endless = bounces.then(|| "the cloth gives all the speed of a fall back".into());
+            return endless.or_else(|| never_slows(draft, *gravity));
         }
     };
     if field != Vec2::ZERO {
@@ -49,27 +49,27 @@ fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
     Some(format!("no field pulls ball {:?} onto a cushion that would hold it", ball.id))
 }
 
-/// Why balls on a cloth may move for ever: nothing slows one of them, and there is motion.
-fn keeps_moving(draft: &Draft<'_>, gravity: f64) -> Option<String> {
-    let starts: Vec<_> = draft
-        .balls()
-        .map(|(index, ball)| (ball, ball.start(index, draft.ball_defaults, &mut |_, value| value)))
-        .collect();
-    let is_moving = |start: &BallStart<f64>| start.twist() != Twist::REST || start.position.z > start.radius;
-    if draft.shot.is_none() && !starts.iter().any(|(_, start)| is_moving(start)) {
+/// What goes on for ever on a cloth on which something moves, if anything may. Which balls will slide, roll or spin there
+/// only the run can tell: so each of them must slow down at all of these.
+fn never_slows(draft: &Draft<'_>, gravity: f64) -> Option<String> {
+    let start =
+        |(index, ball): (usize, &Ball)| ball.start(index, draft.ball_defaults, &mut |_, value: f64| value);
+    let moves = |start: BallStart<f64>| start.twist() != Twist::REST || start.position.z > start.radius;
+    if draft.shot.is_none() && !draft.balls().map(start).any(moves) {
         return None;
     }
     if gravity == 0.0 {
-        return Some("without gravity nothing presses the balls onto the cloth".into());
+        return Some("without gravity no ball rubs on the cloth".into());
     }
-    starts.iter().find_map(|(ball, start)| {
-        let rates = [
-            ("sliding_friction", start.sliding_friction),
-            ("rolling_friction", start.rolling_friction),
-            ("spin_decay", start.spin_decay),
+    draft.balls().find_map(|(index, ball)| {
+        let start = start((index, ball));
+        let frictions = [
+            ("sliding_friction", start.sliding_friction, "slides"),
+            ("rolling_friction", start.rolling_friction, "rolls"),
+            ("spin_decay", start.spin_decay, "spins"),
         ];
-        let (key, _) = rates.into_iter().find(|(_, rate)| *rate == 0.0)?;
-        Some(format!("ball {:?} has no {key}", ball.id))
+        let (key, _, motion) = frictions.into_iter().find(|(_, friction, _)| *friction == 0.0)?;
+        Some(format!("nothing slows ball {:?} while it {motion}, since its {key} is 0", ball.id))
     })
 }
 
