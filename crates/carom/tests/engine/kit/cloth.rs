@@ -135,7 +135,7 @@ pub fn strewn_shot(seed: u64) -> Value {
             return value;
         }
     }
-    unreachable!("the attempts do not end")
+    panic!("some placement has no overlap")
 }
 
 fn any_shot(random: &mut Random) -> Value {
