@@ -193,6 +193,13 @@ def test_runs_are_saved_copied_and_taken_step_by_step(table_run: carom.Run, tmp_
     assert simulation.motion.tolist() == table_run.motion(at_end).tolist()
 
 
+@pytest.mark.parametrize("record", ["all", "events", "none"])
+def test_the_first_step_is_the_strike_whatever_is_kept(scenario: carom.Scenario, record: str) -> None:
+    event = scenario.with_values({"record": record}).start().step()
+    assert event is not None
+    assert event.kind == "cue_ball"
+
+
 def test_only_kinds_that_can_happen_are_counted(run: carom.Run, table_run: carom.Run) -> None:
     discs, cloth = run.diagnostics["events"], table_run.diagnostics["events"]
     assert list(discs) == ["ball_ball", "ball_cushion", "hold", "release"]

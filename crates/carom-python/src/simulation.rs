@@ -5,7 +5,7 @@ use crate::interrupt::interruptible;
 use crate::run::Run;
 use crate::states::{Moving, array};
 use carom::engine::Coming;
-use carom::run::{Dynamics, Event, Kind, Log, Observer, SimulationError, Status};
+use carom::run::{Event, Kind, Log, SimulationError, Status};
 use carom::scenario::Scenario;
 use carom::scenario::schema::Method;
 use carom::simulate::{AnySimulation, Simulated, SimulationOf};
@@ -26,7 +26,7 @@ type Spins<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i8>>);
 pub struct Simulation {
     scenario: Scenario,
     simulation: AnySimulation,
-    /// Events that have happened, in a cluster, and were not handed out yet.
+    /// Events that have happened, such as those of a cluster or the strike of a cue, and were not handed out yet.
     fresh: VecDeque<Event<f64>>,
 }
 
@@ -35,9 +35,8 @@ impl Simulation {
         if scenario.method != Method::Exact {
             return Err(problem("method", "only the exact method goes event by event"));
         }
-        let simulation = AnySimulation::start(&scenario, until);
-        // The strike of the cue has happened already.
-        let fresh = with_any!(&simulation, inner => inner.1.events.iter().copied().collect());
+        let mut fresh = VecDeque::new();
+        let simulation = AnySimulation::start(&scenario, until, &mut fresh);
         Ok(Self { scenario, simulation, fresh })
     }
 
@@ -92,12 +91,7 @@ fn step<D: Simulated>(
     (simulation, log): &mut (SimulationOf<D>, Log<f64, D>),
     fresh: &mut VecDeque<Event<f64>>,
 ) -> Result<u64, SimulationError> {
-    let mut both = Both { log, fresh };
-    while both.fresh.is_empty() {
-        if !simulation.step(&mut both)? {
-            break;
-        }
-    }
+    while fresh.is_empty() && simulation.step(&mut (&mut *log, &mut *fresh))? {}
     Ok(simulation.diagnostics().total_events() - fresh.len() as u64)
 }
 
@@ -193,22 +187,5 @@ impl Simulation {
             simulation.finish(log).into()
         });
         Ok(Run::new(self.scenario.clone(), run))
-    }
-}
-
-/// Keeps events twice: in the log, and to hand them out.
-struct Both<'a, D: Dynamics<f64>> {
-    log: &'a mut Log<f64, D>,
-    fresh: &'a mut VecDeque<Event<f64>>,
-}
-
-impl<D: Dynamics<f64>> Observer<f64, D> for Both<'_, D> {
-    fn event(&mut self, event: &Event<f64>) {
-        self.log.event(event);
-        self.fresh.push_back(*event);
-    }
-
-    fn flight(&mut self, ball: usize, flight: &D::Flight) {
-        self.log.flight(ball, flight);
     }
 }

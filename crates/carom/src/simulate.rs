@@ -4,7 +4,9 @@ mod any;
 mod verify;
 
 use crate::engine::{Discs, Engine, Limits, Simulation, Spheres};
-use crate::run::{Dynamics, Kind, Log, OnCloth, PHYSICS_VERSION, Plane, Run, SimulationError, Status};
+use crate::run::{
+    Dynamics, Kind, Log, Nothing, Observer, OnCloth, PHYSICS_VERSION, Plane, Run, SimulationError, Status,
+};
 use crate::scenario::schema::{Method, Record};
 use crate::scenario::{Scenario, ScenarioError, System};
 use crate::stepped::{self, Ends, Readings};
@@ -77,8 +79,19 @@ pub fn simulate_until<D: Simulated>(
 
 /// A run at time zero, and the log that goes with it.
 pub fn start<D: Simulated>(scenario: &Scenario, until: Option<Kind>) -> (SimulationOf<D>, Log<f64, D>) {
+    start_watched(scenario, until, &mut Nothing)
+}
+
+/// As [`start`]; what happens at time zero, such as the strike of a cue, the watcher is told too, whether the log keeps it
+/// or not.
+pub fn start_watched<D: Simulated>(
+    scenario: &Scenario,
+    until: Option<Kind>,
+    watcher: &mut impl Observer<f64, D>,
+) -> (SimulationOf<D>, Log<f64, D>) {
     let mut log = log_of(scenario);
-    let simulation = Simulation::new(Arc::new(D::system(scenario)), limits_of(scenario, until), &mut log);
+    let (system, limits) = (Arc::new(D::system(scenario)), limits_of(scenario, until));
+    let simulation = Simulation::new(system, limits, &mut (&mut log, watcher));
     (simulation, log)
 }
 

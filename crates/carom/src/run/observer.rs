@@ -3,6 +3,7 @@
 use super::dynamics::{Dynamics, Plane};
 use super::event::Event;
 use crate::scalar::Scalar;
+use std::collections::VecDeque;
 
 /// Is told what happens. Nothing it does can change the run.
 pub trait Observer<S: Scalar, D: Dynamics<S> = Plane> {
@@ -22,6 +23,28 @@ impl<S: Scalar, D: Dynamics<S>> Observer<S, D> for Nothing {
 
     #[inline(always)]
     fn flight(&mut self, _: usize, _: &D::Flight) {}
+}
+
+/// Events that are to be handed out, in order.
+impl<S: Scalar, D: Dynamics<S>> Observer<S, D> for VecDeque<Event<S>> {
+    fn event(&mut self, event: &Event<S>) {
+        self.push_back(*event);
+    }
+
+    fn flight(&mut self, _: usize, _: &D::Flight) {}
+}
+
+/// Two that look on.
+impl<S: Scalar, D: Dynamics<S>, A: Observer<S, D>, B: Observer<S, D>> Observer<S, D> for (&mut A, &mut B) {
+    fn event(&mut self, event: &Event<S>) {
+        self.0.event(event);
+        self.1.event(event);
+    }
+
+    fn flight(&mut self, ball: usize, flight: &D::Flight) {
+        self.0.flight(ball, flight);
+        self.1.flight(ball, flight);
+    }
 }
 
 /// What a run keeps of its course: events, and flights in the order in which they began.

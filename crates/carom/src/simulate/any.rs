@@ -1,7 +1,7 @@
 //! A run of whichever dynamics its scenario has, for callers who learn that from the scenario.
 
-use super::{SimulationOf, simulate_until, start};
-use crate::run::{Kind, Log, OnCloth, Plane, Run, RunFileError, SimulationError, from_json};
+use super::{SimulationOf, simulate_until, start_watched};
+use crate::run::{Kind, Log, Observer, OnCloth, Plane, Run, RunFileError, SimulationError, from_json};
 use crate::scenario::Scenario;
 use serde_json::Value;
 
@@ -72,12 +72,15 @@ impl From<Run<f64, OnCloth>> for AnyRun {
 }
 
 impl AnySimulation {
-    /// A run at time zero.
-    pub fn start(scenario: &Scenario, until: Option<Kind>) -> Self {
+    /// A run at time zero; the watcher is told what happens there, see [`start_watched`].
+    pub fn start<W>(scenario: &Scenario, until: Option<Kind>, watcher: &mut W) -> Self
+    where
+        W: Observer<f64, Plane> + Observer<f64, OnCloth>,
+    {
         if has_cloth(scenario) {
-            Self::OnCloth(Box::new(start(scenario, until)))
+            Self::OnCloth(Box::new(start_watched(scenario, until, watcher)))
         } else {
-            Self::Plane(Box::new(start(scenario, until)))
+            Self::Plane(Box::new(start_watched(scenario, until, watcher)))
         }
     }
 }

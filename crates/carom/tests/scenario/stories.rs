@@ -207,9 +207,26 @@ fn the_two_ball_shot_agrees_with_pooltool_and_sinks_both() {
 }
 
 #[test]
-fn the_cue_ball_of_the_billiards_meets_the_red_and_then_three_cushions() {
-    let kinds: Vec<Kind> = contacts(&on_cloth("three_cushion")).into_iter().map(|(kind, _)| kind).collect();
-    assert_eq!(kinds, [Kind::BallBall, Kind::BallCushion, Kind::BallCushion, Kind::BallCushion]);
+fn the_cue_ball_of_the_billiards_meets_the_red_then_three_cushions_and_then_the_yellow() {
+    let run = on_cloth("three_cushion");
+    let of_cue_ball = run.log.events.iter().filter(|event| event.ball_a == 0);
+    let met: Vec<Option<u32>> = of_cue_ball
+        .filter(|event| matches!(event.kind, Kind::BallBall | Kind::BallCushion))
+        .map(|event| event.ball_b)
+        .collect();
+    let (yellow, red) = (Some(1), Some(2));
+    assert_eq!(met[..5], [red, None, None, None, yellow]);
+}
+
+#[test]
+fn the_nine_falls_on_the_break() {
+    let run = on_cloth("nine_ball_break");
+    let nine = run.system.ball_ids.iter().position(|id| id == "9");
+    let fallen: Vec<usize> = (run.log.events.iter())
+        .filter(|event| event.kind == Kind::BallPocket)
+        .map(|event| event.ball_a as usize)
+        .collect();
+    assert_eq!(Some(fallen[0]), nine);
 }
 
 #[test]
