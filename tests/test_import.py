@@ -24,6 +24,11 @@ def test_import_loads_no_heavy_module() -> None:
     assert loaded.strip() == "[]"
 
 
+def test_a_shot_is_computed_without_numpy() -> None:
+    code = "import sys, carom; run = carom.load('two_ball_shot').run(); print(run.status, 'numpy' in sys.modules)"
+    assert _in_a_fresh_python(code).strip() == "at_rest False"
+
+
 def test_computing_and_saving_a_run_draws_nothing(tmp_path: Path) -> None:
     code = (
         "import sys, carom; run = carom.load('midterm').run(); run.events; run.positions([1.0]);"

@@ -9,24 +9,28 @@ as they should.
 import json
 import math
 import os
+import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
 from collections import Counter
+from itertools import chain
 from pathlib import Path
 
 import pooltool_process
 import shots
 from agreement import PLACE, TIME, agreement
 
+import carom
 from carom.pooltool import read_system
 
 EACH = 12
 """Shots for each pair of laws."""
 
-REPEATS = 21
+TURNS, PLAYS = 9, 10
+"""Carom and pooltool take turns, and each plays the shot so many times in a turn: neither finds the other's memory."""
 
 WORDS = {
     "cue_ball": "stick_ball",
@@ -114,15 +118,19 @@ def print_left_out(what, reasons):
 
 
 def print_speeds(pooltool, path):
-    print(f"\n{'medians of ' + str(REPEATS) + ', in turn':24} {'carom':>12} {'pooltool':>12} {'ratio':>8}")
+    print(f"\n{f'medians of {TURNS} x {PLAYS}, in turn':24} {'carom':>12} {'pooltool':>12} {'ratio':>8}")
     for shot in (shots.EXAMPLE, *shots.breaks(3)):
         scenario = scenario_of(pooltool, shot, path)
-        pairs = [(timed(scenario), pooltool.ask("time", shot)) for _ in range(REPEATS)]
-        ours, theirs = (statistics.median(column) for column in zip(*pairs, strict=True))
+        turns = [(timed(scenario), pooltool.ask("time", shot, plays=PLAYS)) for _ in range(TURNS)]
+        ours, theirs = (statistics.median(chain.from_iterable(column)) for column in zip(*turns, strict=True))
         print(f"{shot['name']:24} {ours * 1e3:9.3f} ms {theirs * 1e3:9.1f} ms {theirs / ours:8.0f}")
 
 
 def timed(scenario):
+    return [seconds(scenario) for _ in range(PLAYS)]
+
+
+def seconds(scenario):
     start = time.perf_counter()
     scenario.run()
     return time.perf_counter() - start
@@ -139,12 +147,14 @@ print(json.dumps({"import": imported - start, "first": time.perf_counter() - imp
 
 
 def print_first_shots(path):
-    """Print how long the two-ball example takes in a new process, where nothing has been compiled yet, and later."""
+    """Print how long the two-ball example takes in a new process, first with nothing of the package compiled."""
     with tempfile.TemporaryDirectory() as home, pooltool_process.started() as pooltool:
         scenario = scenario_of(pooltool, shots.EXAMPLE, Path(home) / path.name)
+        installed = Path(carom.__file__).parent
+        shutil.copytree(installed, Path(home) / installed.name, ignore=shutil.ignore_patterns("__pycache__"))
         warm = pooltool_process.warm(shots.EXAMPLE)
         rows = [
-            ("carom, just installed", first_shot(scenario, {"PYTHONPYCACHEPREFIX": home})),
+            ("carom, just installed", first_shot(scenario, {"PYTHONPATH": home})),
             ("carom, later", first_shot(scenario, {})),
             ("pooltool, just installed", pooltool_process.cold(shots.EXAMPLE)),
             ("pooltool, later", warm),

@@ -1,7 +1,7 @@
 """Plays shots with pooltool, for `pooltool_process`: one JSON request a line in, one JSON answer a line out.
 
     {"do": "play", "shot": {...}, "spacer": 1e-6}    the shot's events, where its balls end, and what is wrong with it
-    {"do": "time", "shot": {...}}                    how many seconds one `simulate` takes
+    {"do": "time", "shot": {...}, "plays": n}        seconds of each of n times `simulate`
     {"do": "cold", "shot": {...}}                    seconds of the import, and of this process's first `simulate`
     {"do": "system", "shot": {...}, "path": "..."}   writes the shot as pooltool's `System.save` does, not yet played
 
@@ -122,7 +122,7 @@ def answer(request):
     if request["do"] == "play":
         return play(shot, request.get("spacer", 1e-6))
     if request["do"] == "time":
-        return seconds(shot)
+        return [seconds(shot) for _ in range(request["plays"])]
     if request["do"] == "cold":
         return {"import": IMPORT_SECONDS, "first": seconds(shot)}
     system_of(shot).save(request["path"])

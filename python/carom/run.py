@@ -10,9 +10,6 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
-
 from carom import _engine
 from carom.columns import ColumnTable
 from carom.errors import RunError
@@ -20,13 +17,16 @@ from carom.events import Event, EventTable, decoded
 from carom.files import read_text, write_text
 from carom.options import options_json
 from carom.scenario import Scenario
-from carom.shot import ShotResult, shot_result
-from carom.summary import summary_of_run
 
 if TYPE_CHECKING:
+    import numpy as np
     from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike, NDArray
 
     from carom.cue import Shot
+    from carom.shot import ShotResult
+else:
+    from carom import arrays as np
 
 MOST_TIMES = 1e8
 MOTION = ("position", "velocity", "spin", "speed", "direction_deg")
@@ -163,6 +163,8 @@ class Run:
         >>> carom.load("nine_ball_break").run().shot.first_ball_hit
         '1'
         """
+        from carom.shot import shot_result
+
         return shot_result(self)
 
     @cached_property
@@ -532,6 +534,8 @@ class Run:
         return _from_json, (self.to_json(),)
 
     def __repr__(self) -> str:
+        from carom.summary import summary_of_run
+
         return summary_of_run(self)
 
     def _repr_html_(self) -> str:

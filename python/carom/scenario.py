@@ -14,7 +14,6 @@ from carom.encoding import plain, to_json
 from carom.errors import ScenarioError
 from carom.files import write_text
 from carom.options import Record, check_counts, options_json
-from carom.summary import summary_of_scenario
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -368,6 +367,8 @@ class Scenario:
         return type(self).from_json, (self.to_json(),)
 
     def __repr__(self) -> str:
+        from carom.summary import summary_of_scenario
+
         return summary_of_scenario(self)
 
     def _repr_html_(self) -> str:

@@ -6,15 +6,17 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
 from carom import _engine
 from carom.errors import RunError
 from carom.events import Event, decoded, event_from
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from carom.run import Run
+else:
+    from carom import arrays as np
 
 
 @dataclass(frozen=True, slots=True)
