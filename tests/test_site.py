@@ -68,6 +68,15 @@ def test_kinds_of_events_are_those_of_the_engine() -> None:
     assert first_column("Kinds of events") == list(_engine.EVENT_KINDS)
 
 
+def test_what_is_checked_names_tests_that_are_there() -> None:
+    sources = {path.stem: path.read_text(encoding="utf-8") for path in (ROOT / "crates/carom/tests").rglob("*.rs")}
+    if not sources:
+        pytest.skip("the engine's tests are not beside these")
+    named = re.findall(r"`(\w+)::(\w+)`", (DOCS / "validation.md").read_text(encoding="utf-8"))
+    assert len(named) > 40
+    assert [f"{file}::{test}" for file, test in named if f"fn {test}(" not in sources.get(file, "")] == []
+
+
 def test_motions_are_those_of_the_engine() -> None:
     assert first_column("Motions") == list(_engine.MOTIONS)
 

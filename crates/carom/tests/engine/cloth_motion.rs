@@ -57,7 +57,7 @@ fn draw_rolls_at_three_sevenths_or_stops_dead_and_natural_roll_does_not_slide() 
 #[test]
 fn a_slide_with_side_roll_is_a_parabola_and_ends_at_the_mean_of_velocity_and_roll() {
     let mut random = Random::new(3);
-    for _ in 0..300 {
+    for _ in 0..1000 {
         let mut number = |most: f64| random.between(-most, most);
         let (velocity, spin) = ([number(3.0), number(3.0)], [number(100.0), number(100.0), number(100.0)]);
         let run = one(ball("a", [0.0, 0.0], &json!({ "velocity": velocity, "spin": spin })));
