@@ -21,6 +21,7 @@ from carom.figures.rails import Rails
 from carom.figures.scene import Scene
 from carom.figures.travels import WAYS, Travels
 from carom.figures.turning import DOT, seen_from_above, turned
+from carom.report.pictures import figures_of
 
 GAMES = {
     "pool_9ft": "nine_ball",
@@ -214,6 +215,25 @@ def test_changes_of_motion_have_no_numbers_and_others_those_of_the_table_of_even
     assert len(shown) < len(side.events)
 
 
+def test_no_number_stands_on_a_pocket() -> None:
+    run = carom.load("two_ball_shot").run()
+    ax = run.plot_paths()
+    numbers = [text for text in ax.texts if text.get_text() in ("8", "11")]
+    assert len(numbers) == 2
+    for pocket in run.scenario.outline()["pockets"]:
+        for text in numbers:
+            distance = np.hypot(*(np.array(text.get_position()) - pocket["center"]))
+            assert distance > pocket["radius"], (text.get_text(), pocket["id"])
+
+
+def test_balls_at_rest_lie_over_the_marks_of_contacts(opening: carom.Run) -> None:
+    ax = opening.plot_paths()
+    marks = max(line.get_zorder() for line in ax.lines)
+    ends = opening.positions([opening.end_time])[0, :, :2]
+    on_top = [disc.center for disc in discs_of(ax) if disc.get_zorder() > marks]
+    np.testing.assert_array_equal(np.sort(on_top, axis=0), np.sort(ends[np.isfinite(ends[:, 0])], axis=0))
+
+
 def test_landings_are_marked(jump: carom.Run) -> None:
     ax = jump.plot_paths()
     landings = jump.events.by_kind("ball_cloth")
@@ -236,8 +256,20 @@ def test_a_pocketed_ball_ends_in_its_pocket_and_is_listed(potted: carom.Run) -> 
     centres = [disc.center for disc in discs_of(ax)]
     assert any(np.array_equal(centre, corner) for centre in centres)
     assert len(centres) == 2
-    assert f"9 at {event.time:.3g} s" in words_of(ax)
+    assert f"9 in lb, {event.time:.3g} s" in words_of(ax)
     assert "pocketed" in words_of(ax)
+
+
+def test_long_names_of_pocketed_balls_leave_no_room_for_the_pocket() -> None:
+    run = scenario({"the_ninth_ball": [0.3, 0.3], "cue": [0.6, 0.6]}, V0=2.0, phi_deg=225).run()
+    (event,) = run.events.by_kind("ball_pocket")
+    ax = run.plot_paths()
+    (words,) = [words for words in words_of(ax) if words.startswith("the_nin")]
+    assert words.endswith(f", {event.time:.3g} s")
+    assert " in " not in words
+    renderer = FigureCanvasAgg(drawn(ax)).get_renderer()
+    (box,) = [text.get_window_extent(renderer) for text in notes_of(ax).texts if text.get_text() == words]
+    assert box.x1 <= figures.figure_of(ax).bbox.width
 
 
 def test_balls_in_one_pocket_lie_beside_each_other(potted: carom.Run) -> None:
@@ -358,6 +390,20 @@ def test_a_pocketed_ball_is_gone_at_its_event(potted: carom.Run) -> None:
     assert "pocketed" in axes[1].get_title()
 
 
+def test_a_break_shows_the_whole_rack(opening: carom.Run) -> None:
+    event = opening.events.by_kind("ball_ball").first()
+    if event is None:  # the first shot of carom may miss
+        return
+    axes = opening.filmstrip(event)
+    (x0, x1), (y0, y1) = axes[0].get_xlim(), axes[0].get_ylim()
+    touching = opening.events.by_kind("ball_ball").by_time(event.time, event.time)
+    at = opening.positions([event.time])[0]
+    for name in {ball for each in touching for ball in each.balls}:
+        x, y, radius = at[opening.ball_ids.index(name)]
+        assert x0 <= x - radius < x + radius <= x1, name
+        assert y0 <= y - radius < y + radius <= y1, name
+
+
 def test_before_the_cue_strikes_nothing_moves(side: carom.Run) -> None:
     axes = side.filmstrip(side.events.by_kind("cue_ball")[0])
     arrows = [[patch for patch in ax.patches if isinstance(patch, FancyArrowPatch)] for ax in axes]
@@ -391,9 +437,33 @@ def test_spin_and_its_vertical_part_are_the_runs(side: carom.Run) -> None:
     assert spins[0, 0, 2] < 0.0  # the tip left of the middle turns the ball clockwise
 
 
-def test_discs_have_no_spin_to_draw(run: carom.Run) -> None:
+def test_discs_have_no_spin_and_no_height_to_draw(run: carom.Run) -> None:
     with pytest.raises(carom.RunError, match="spin"):
         figures.plot_spin(run)
+    with pytest.raises(carom.RunError, match="motion"):
+        figures.plot_height(run)
+
+
+def test_heights_are_those_of_the_lowest_points_while_a_ball_flies(jump: carom.Run) -> None:
+    ax = jump.plot_height()
+    cue, seven, top = ax.lines
+    times = np.asarray(cue.get_xdata())
+    heights = jump.positions(times)[..., 2] - 0.028575
+    np.testing.assert_array_equal(np.asarray(cue.get_ydata()), heights[:, 0])
+    np.testing.assert_array_equal(np.asarray(seven.get_ydata()), heights[:, 1])
+    assert heights.max() > 2 * 0.028575 == np.asarray(top.get_ydata())[0]
+    last = jump.events.by_kind("ball_cloth")[-1].time
+    assert last < ax.get_xlim()[1] < 1.2 * last < jump.end_time
+    shown = {str(each.get_label()): len(each.get_paths()) for each in ax.collections}
+    assert shown["landing"] == len(jump.events.by_kind("ball_cloth"))
+    late = jump.events.by_time(ax.get_xlim()[1], jump.end_time).by_kind("ball_cushion")
+    assert len(late) > 0
+    assert shown.get("cushion", 0) == len(jump.events.by_kind("ball_cushion")) - len(late)
+
+
+def test_a_shot_that_stays_on_the_cloth_has_no_picture_of_its_height(jump: carom.Run, side: carom.Run) -> None:
+    assert "height" in {name for name, _ in figures_of(jump)}
+    assert "height" not in {name for name, _ in figures_of(side)}
 
 
 def test_pockets_have_ticks(potted: carom.Run) -> None:

@@ -24,14 +24,19 @@ def plain(value: Any) -> Any:
     NumPy scalars become Python numbers and arrays become lists. A number that is not finite becomes ``"nan"``,
     ``"inf"`` or ``"-inf"``, so that the engine can name the place where it stands.
     """
+    # The plain types first: a planner encodes thousands of numbers, and an abstract class is slow to ask.
     if value is None or isinstance(value, (str, bool)):
         return value
+    if isinstance(value, (int, float)):
+        return _plain_number(value)
+    if isinstance(value, (dict, Mapping)):
+        return {str(key): plain(item) for key, item in value.items()}
     if isinstance(value, Encodable):
         return plain(value.to_dict())
-    if isinstance(value, Mapping):
-        return {str(key): plain(item) for key, item in value.items()}
     if isinstance(value, numbers.Real):
         return _plain_number(value)
+    if isinstance(value, (list, tuple)):
+        return [plain(item) for item in value]
     if hasattr(value, "tolist"):
         return plain(value.tolist())
     if isinstance(value, Iterable):
@@ -39,8 +44,8 @@ def plain(value: Any) -> Any:
     raise TypeError(f"a scenario holds text, numbers, lists and tables, not {type(value).__name__}")
 
 
-def _plain_number(value: numbers.Real) -> int | float | str:
-    if isinstance(value, numbers.Integral):
+def _plain_number(value: numbers.Real | float) -> int | float | str:
+    if not isinstance(value, float) and isinstance(value, (int, numbers.Integral)):
         return int(value)
     number = float(value)
     return number if math.isfinite(number) else str(number)

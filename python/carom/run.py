@@ -459,6 +459,12 @@ class Run:
 
         return figures.plot_spin(self, ax=ax)
 
+    def plot_height(self, ax: Axes | None = None) -> Axes:
+        """Draw how high the balls on a cloth fly over it, over time; see `carom.figures`."""
+        from carom import figures
+
+        return figures.plot_height(self, ax=ax)
+
     def plot_momentum(self, ax: Axes | None = None) -> Axes:
         """Draw the total momentum over time; see `carom.figures`."""
         from carom import figures

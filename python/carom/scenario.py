@@ -242,7 +242,7 @@ class Scenario:
         """
         if (shot is None) == (not keys):
             raise TypeError("with_shot: needs a carom.Shot or its keys, such as V0=2, phi_deg=90")
-        return type(self).from_dict({**self.to_dict(), "shot": keys if shot is None else shot})
+        return self.with_values({"shot": keys if shot is None else shot})
 
     def with_ball(self, ball: Ball | Mapping[str, Any]) -> Scenario:
         """Give the scenario with a ball in place of the one with its id, or added where there is none.

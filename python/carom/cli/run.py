@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from carom.run import Run
     from carom.scenario import Scenario
 
-FIGURES = ("filmstrip", "paths", "energy", "speed", "spin", "momentum")
+FIGURES = ("filmstrip", "paths", "energy", "speed", "spin", "height", "momentum")
 TABLES = ("events.csv", "trajectory.csv", "steps.csv")
 FILMS = ("animation.gif", "animation.mp4")
 REPORT = "report.html"

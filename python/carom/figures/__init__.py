@@ -10,7 +10,7 @@ from carom.figures.filmstrip import filmstrip
 from carom.figures.overlay import plot_overlay
 from carom.figures.paths import plot_paths
 from carom.figures.scenario import plot_scenario
-from carom.figures.series import plot_energy, plot_momentum, plot_speed, plot_spin
+from carom.figures.series import plot_energy, plot_height, plot_momentum, plot_speed, plot_spin
 from carom.figures.style import FORMATS, figure_of, save_figure
 
 __all__ = [
@@ -20,6 +20,7 @@ __all__ = [
     "plot_distance",
     "plot_energy",
     "plot_errors",
+    "plot_height",
     "plot_momentum",
     "plot_overlay",
     "plot_paths",

@@ -38,7 +38,7 @@ PAGE_HEIGHT = 8.4
 LEFT, RIGHT, GAP, BELOW, TITLE, NARROW, LEAST = 0.5, 0.1, 0.16, 0.36, 0.3, 1.8, 1.0  # inches
 LABEL_GAP, LABEL_ROOM = 6.5, 11.0  # points
 LEAST_ARROW = 0.1  # points
-MOMENTS = {"ball_ball": "collision", "ball_cushion": "cushion", "cue_ball": "cue", "ball_cloth": "landing"}
+MOMENTS = {"ball_ball": "collision", "ball_cushion": "cushion", "cue_ball": "strike", "ball_cloth": "landing"}
 MOMENTS |= {"ball_pocket": "pocketed"}
 
 

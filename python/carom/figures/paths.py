@@ -33,6 +33,8 @@ SAMPLES = 500
 RING = 0.4
 """How opaque the balls at their contacts are."""
 NUMBER_SIZE = 9.0
+LONGEST_WORDS = 22
+"""Letters that fit beside the table, behind a disc."""
 MARGIN = 0.055
 MARGIN_WITHOUT_NUMBERS = 0.035
 LEGEND_COLUMN, LEGEND_ROW = 0.86, 0.18  # inches
@@ -113,8 +115,9 @@ def _draw_on_cloth(ax: Axes | None, run: Run, scene: Scene, marks: _Marks) -> Ax
     draw_travels(ax, travels, crowding=min(1.0, marks.count / 60))
     draw_balls(ax, scene, travels.places[0], filled=False, zorder=2.6)
     draw_sunk(ax, travels)
-    draw_balls_of_cloth(ax, scene, run.positions([run.end_time])[0, :, :2])
     _draw_events(ax, run, scene, marks, travels.places)
+    # Over the marks, so that the names of balls that stopped at a contact can be read.
+    draw_balls_of_cloth(ax, scene, run.positions([run.end_time])[0, :, :2], zorder=4.0)
     return ax
 
 
@@ -131,8 +134,15 @@ def _fill(beside: Beside, travels: Travels, marks: _Marks) -> None:
     unit = scene.unit("time")
     for kind, heading in (("ball_pocket", "pocketed"), ("off_table", "off the table")):
         fallen = [(event, ball) for event, ball in zip(travels.out, travels.fallen, strict=True) if event.kind == kind]
-        words = [f"{style.legend_name(str(event.ball_a))} at {event.time:.3g} {unit}".rstrip() for event, _ in fallen]
+        words = [_fall(event, unit) for event, _ in fallen]
         note_balls(beside, scene, heading, [ball for _, ball in fallen], words)
+
+
+def _fall(event: Event, unit: str) -> str:
+    """Say which ball went out of play, when, and where if there is room for it."""
+    name, time = style.legend_name(str(event.ball_a)), f"{event.time:.3g} {unit}".rstrip()
+    words = f"{name} in {event.pocket}, {time}"
+    return words if event.pocket and len(words) <= LONGEST_WORDS else f"{name}, {time}"
 
 
 def _draw_table(ax: Axes, scene: Scene, marks: _Marks) -> None:
@@ -229,6 +239,8 @@ def _draw_numbers(ax: Axes, run: Run, scene: Scene, events: dict[int, Event], pl
     curves = curves[np.isfinite(curves[:, 0])]
     labeller = Labeller(lines=np.concatenate([curves, _ring_points(run, scene, [*events.values()])]) * scale)
     labeller.avoid([np.array(event.position) * scale for event in events.values()], 2.5)
+    for pocket in scene.rails.pockets if scene.rails else []:
+        labeller.avoid([np.array(pocket["center"], dtype=float) * scale], float(pocket["radius"]) * scale)
     for radius, place in zip(scene.radii, places[-1], strict=True):
         labeller.avoid([place * scale], float(radius) * scale)
     ordered = sorted(events.items(), key=lambda item: item[1].kind != "ball_cushion")

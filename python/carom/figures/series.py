@@ -1,4 +1,4 @@
-"""Energy, speed and momentum against time, with a tick for every event."""
+"""Energy, speed, spin, height and momentum against time, with a tick for every event."""
 
 from __future__ import annotations
 
@@ -119,6 +119,41 @@ def plot_spin(run: Run, ax: Axes | None = None) -> Axes:
     return _finish(ax, run, scene, "spin", "angular_velocity", from_zero=False)
 
 
+def plot_height(run: Run, ax: Axes | None = None) -> Axes:
+    """Draw how high the lowest point of every ball on a cloth is above it, while any ball flies.
+
+    The dashed line is the height of a ball that lies on the cloth: what a jump has to clear.
+
+    Parameters
+    ----------
+    run : Run
+        The run to show, of balls on a cloth.
+    ax : Axes, optional
+        Where to draw; a new figure is made if not given.
+
+    Returns
+    -------
+    Axes
+
+    Raises
+    ------
+    RunError
+        If the balls of the run are discs, which stay on their plane.
+    """
+    scene = Scene.of_run(run)
+    flying = run.motion(times := draw_times(run, SAMPLES)) == "airborne"
+    ax = _new_axes(scene, more=1) if ax is None else ax
+    seen = times[flying.any(axis=1)]
+    first, last = (float(seen[0]), float(seen[-1])) if len(seen) else (0.0, run.end_time)
+    near = np.unique(np.concatenate([times, np.linspace(first, last, SAMPLES)]))
+    _draw_balls(ax, scene, near, run.positions(near)[..., 2] - scene.radii)
+    top = 2.0 * float(scene.radii.max())
+    ax.axhline(top, color=style.FAINT_INK, linewidth=0.9, linestyle=(0, (4, 2)), label="a ball's top", zorder=1.5)
+    room = 0.05 * (last - first)
+    span = (max(0.0, first - room), min(run.end_time, last + room))
+    return _finish(ax, run, scene, "height", "length", from_zero=True, span=span)
+
+
 def plot_momentum(run: Run, ax: Axes | None = None) -> Axes:
     """Draw the components of the total momentum against time.
 
@@ -172,17 +207,27 @@ def _draw_balls(ax: Axes, scene: Scene, times: NDArray[np.float64], values: NDAr
         ax.plot(times, values[:, ball], color=colour, linewidth=0.9 if many else 1.3, label=name or None, zorder=2)
 
 
-def _finish(ax: Axes, run: Run, scene: Scene, words: str, quantity: str, *, from_zero: bool) -> Axes:
-    """Add event ticks, labels and the legend above the curves."""
+def _finish(
+    ax: Axes,
+    run: Run,
+    scene: Scene,
+    words: str,
+    quantity: str,
+    *,
+    from_zero: bool,
+    span: tuple[float, float] | None = None,
+) -> Axes:
+    """Add event ticks, labels and the legend above the curves, over a span of time or the whole run."""
     style.tidy_axes(ax)
-    ax.set_xlim(0.0, run.end_time or 1.0)
+    start, end = span or (0.0, run.end_time)
+    ax.set_xlim(start, end if end > start else start + 1.0)
     low, high = ax.get_ylim()
     if from_zero:
         low, high = 0.0, max(high, 1.05 * ax.dataLim.y1)
     rug = 0.07 * (high - low)
     ax.set_ylim(low - rug, high)
     power = _shorten_numbers(ax)
-    _draw_event_ticks(ax, run)
+    _draw_event_ticks(ax, run, start, end)
     ax.set_xlabel(scene.label("time", "time"), fontsize=style.LABEL_SIZE)
     ax.set_ylabel(scene.label(words, quantity, power), fontsize=style.LABEL_SIZE)
     style.legend_above(ax, LEGEND_COLUMNS)
@@ -199,11 +244,12 @@ def _shorten_numbers(ax: Axes) -> int:
     return power
 
 
-def _draw_event_ticks(ax: Axes, run: Run) -> None:
+def _draw_event_ticks(ax: Axes, run: Run, start: float, end: float) -> None:
     """Draw a row of ticks under the curves, coloured by kind; ball-ball ones are the taller."""
     where = blended_transform_factory(ax.transData, ax.transAxes)
-    kinds = np.asarray(run.events["kind"])
-    all_times = np.asarray(run.events["time"], dtype=float)
+    events = run.events.by_time(start, end)
+    kinds = np.asarray(events["kind"])
+    all_times = np.asarray(events["time"], dtype=float)
     for kind, height in TICKS.items():
         times = all_times[kinds == kind]
         if 0 < len(times) <= MOST_TICKS:

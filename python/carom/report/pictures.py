@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 DPI = 200
 CSS_DPI = 96
 
-NAMES = ("filmstrip", "paths", "energy", "speed", "spin", "momentum")
+NAMES = ("filmstrip", "paths", "energy", "speed", "spin", "height", "momentum")
 """The figures of a run, in their order on a page."""
 
 TITLES = {
@@ -29,6 +29,7 @@ TITLES = {
     "energy": "Energy",
     "speed": "Speed",
     "spin": "Spin",
+    "height": "Height",
     "momentum": "Momentum",
 }
 CAPTIONS = {
@@ -40,6 +41,8 @@ CAPTIONS = {
     "energy": "Kinetic energy of each ball, and the total. The ticks below the curves are the events.",
     "speed": "Speed of each ball.",
     "spin": "How fast each ball turns; dashed, its side spin, above zero where it turns counter-clockwise from above.",
+    "height": "How high the lowest point of each ball is above the cloth, while any flies; the dashed line is the top "
+    "of a ball that lies there.",
     "momentum": "Total momentum: contacts of balls leave it as it is, cushions and fields change it.",
 }
 
@@ -92,8 +95,15 @@ def figures_of(run: Run) -> Iterator[tuple[str, Figure]]:
         if name == "filmstrip":
             if len(run.events):
                 yield name, figures.figure_of(figures.filmstrip(run))
-        elif name != "spin" or run.is_on_cloth:
+        elif _has(run, name):
             yield name, figures.figure_of(getattr(figures, f"plot_{name}")(run))
+
+
+def _has(run: Run, name: str) -> bool:
+    """Tell whether there is something to see: discs have no spin, and few shots fly."""
+    if name == "height":
+        return run.is_on_cloth and len(run.events.by_kind("ball_cloth", "off_table")) > 0
+    return name != "spin" or run.is_on_cloth
 
 
 def drawn(figure: Figure) -> bytes:
