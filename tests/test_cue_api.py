@@ -280,6 +280,13 @@ def test_a_scratch_is_told() -> None:
         scratch.final_scenario()
 
 
+def test_after_a_scratch_the_next_shot_says_how_to_put_the_ball_back() -> None:
+    balls = [carom.Ball("cue", position=(0.2, 2.34)), carom.Ball("1", position=(0.6, 0.6))]
+    run = carom.Scenario(carom.Table.preset("pool_9ft"), balls, shot=carom.Shot(V0=1, phi_deg=135)).run()
+    with pytest.raises(carom.ScenarioError, match=r'no ball "cue".*out of play: cue; final_scenario\(\)\.with_ball'):
+        run.next(V0=1, phi_deg=0)
+
+
 def test_a_miscue_ends_the_run(scenario: carom.Scenario) -> None:
     run = scenario.with_shot(V0=2, phi_deg=90, a=0.5, b=0.3).run()
     assert (run.status, run.end_time, [event.kind for event in run.events]) == ("miscue", 0.0, ["miscue"])

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from carom import _engine
 from carom.columns import ColumnTable
-from carom.errors import RunError
+from carom.errors import RunError, ScenarioError
 from carom.events import Event, EventTable, decoded
 from carom.files import read_text, write_text
 from carom.options import options_json
@@ -394,7 +394,14 @@ class Run:
         ScenarioError
             When the shot does not fit: when the cue ball is out of play, for instance.
         """
-        return self.final_scenario().with_shot(shot, **keys).run()
+        rest = self.final_scenario()
+        try:
+            return rest.with_shot(shot, **keys).run()
+        except ScenarioError as error:
+            out = ", ".join(name for name in self.ball_ids if name not in rest.ball_ids)
+            hint = f"; out of play: {out}; final_scenario().with_ball(...) puts one back" if out else ""
+            told = [(place, message + hint * (place == "shot.cue_ball")) for place, message in error.problems]
+            raise ScenarioError(told) from None
 
     def resume(
         self, *, duration: float | None = None, collisions: int | None = None, max_events: int | None = None

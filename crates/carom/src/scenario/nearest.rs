@@ -1,7 +1,7 @@
 //! "Did you mean ...": the known word nearest to a misspelt one.
 
 /// Words that people bring from elsewhere, and what they are called here.
-const CALLED_HERE: [(&str, &str); 22] = [
+const CALLED_HERE: [(&str, &str); 25] = [
     ("angle", "direction_deg"),
     ("angle_deg", "direction_deg"),
     ("phi", "direction_deg"),
@@ -12,6 +12,9 @@ const CALLED_HERE: [(&str, &str); 22] = [
     ("cue_id", "cue_ball"),
     ("omega", "spin"),
     ("angular_velocity", "spin"),
+    ("M", "mass"),
+    ("m", "mass"),
+    ("R", "radius"),
     ("u_s", "sliding_friction"),
     ("u_r", "rolling_friction"),
     ("spacing_factor", "spacing"),

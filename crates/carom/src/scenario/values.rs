@@ -1,9 +1,10 @@
 //! Single values of a scenario, got and set by their paths.
 
+use super::LARGEST;
 use super::nearest::suggestion;
 use super::path::{Step, parse, path_of, step_into};
 use super::problem::{Findings, Problem, ScenarioError};
-use super::schema::Scenario;
+use super::schema::{Method, Record, Scenario};
 use super::structure::known_keys;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -25,8 +26,8 @@ impl Scenario {
     /// # Ok::<(), carom::scenario::ScenarioError>(())
     /// ```
     pub fn with_values<P: AsRef<str>>(&self, values: &[(P, Value)]) -> Result<Self, ScenarioError> {
-        if values.is_empty() {
-            return Ok(self.clone());
+        if let Some(changed) = self.with_ends(values) {
+            return Ok(changed);
         }
         let mut changed = self.to_value()?;
         let mut findings = Findings::default();
@@ -43,6 +44,27 @@ impl Scenario {
         }
         findings.into_result()?;
         Self::from_value(&changed)
+    }
+
+    /// The same where the values say nothing but when to end and what to keep, and that plainly: no ball need be looked at
+    /// again. What is not as it should be is left to the whole check, which says why.
+    fn with_ends<P: AsRef<str>>(&self, values: &[(P, Value)]) -> Option<Self> {
+        let mut changed = Cow::Borrowed(self);
+        for (path, value) in values {
+            let (path, changed) = (path.as_ref(), changed.to_mut());
+            let number = value.as_u64().filter(|number| (1..=i64::MAX as u64).contains(number));
+            match path {
+                "record" => changed.record = Record::deserialize(value).ok()?,
+                "duration" => {
+                    changed.duration = Some(value.as_f64().filter(|time| (0.0..=LARGEST).contains(time))?)
+                }
+                "collisions" => changed.collisions = Some(number?),
+                "max_events" => changed.max_events = Some(number?),
+                _ => return None,
+            }
+        }
+        // How long a stepped run may be depends on its step.
+        (values.is_empty() || self.method == Method::Exact).then(|| changed.into_owned())
     }
 
     /// The value at a path: what is written there, or else what the preset or the rack gives.

@@ -217,6 +217,10 @@ fn pockets_that_make_no_sense_are_refused() {
         pocket_table("jaw_radius = 0.02", "jaw_radius = 1.5"),
         ["table.corner: leaves nothing of the cushions bottom, top: make the mouths or jaws smaller"]
     );
+    assert_eq!(
+        pocket_table("width = 0.12", "width = 0.05"),
+        ["table.corner.width: must be more than a ball, 0.06, got 0.05"]
+    );
     let small = pocket_table("radius = 0.06,", "radius = 0.02,");
     assert!(
         small[0].starts_with("table.corner.radius: is too small: a ball of radius 0.03 would touch the back of the pocket before it falls; at least 0.0"),

@@ -36,6 +36,21 @@ fn order(game: &str, seed: u64) -> Vec<String> {
     balls.into_iter().skip(1).map(|ball| ball.id).collect()
 }
 
+#[test]
+fn a_shot_at_a_ball_that_the_rack_does_not_have_is_told_its_cue_ball() {
+    let text = "table.preset = 'snooker_12ft'\nrack.game = 'snooker'\nshot = { V0 = 1, phi_deg = 90 }";
+    assert_eq!(
+        problems(text),
+        ["shot.cue_ball: there is no ball \"cue\"; the cue ball of the rack is \"white\""]
+    );
+    for (game, preset, _) in GAMES {
+        let text = format!("table.preset = '{}'\nrack.game = '{game}'", preset.name());
+        let scenario = Scenario::from_toml(&text).unwrap();
+        let cue_ball = scenario.rack.as_ref().unwrap().game.cue_ball();
+        assert!(scenario.expanded().balls.iter().any(|ball| ball.id == cue_ball), "{game}");
+    }
+}
+
 /// Pairs of balls whose centres are nearer than half as much again as they are when they touch, and how far apart.
 fn neighbours(balls: &[Ball], radius: f64) -> Vec<f64> {
     let mut found = Vec::new();

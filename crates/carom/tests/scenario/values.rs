@@ -51,6 +51,33 @@ fn several_values_are_set_at_once_and_the_original_stays() {
 }
 
 #[test]
+fn ends_are_set_as_quickly_and_as_strictly_as_anything() {
+    let ends = [
+        ("record", json!("none")),
+        ("duration", json!(2)),
+        ("collisions", json!(7)),
+        ("max_events", json!(9)),
+    ];
+    let mut slowly = midterm().to_value().unwrap();
+    for (key, value) in &ends {
+        slowly[key] = value.clone();
+    }
+    assert_eq!(midterm().with_values(&ends).unwrap(), Scenario::from_value(&slowly).unwrap());
+    for (key, value) in [
+        ("record", json!("all of it")),
+        ("duration", json!(-1)),
+        ("duration", json!("nan")),
+        ("collisions", json!(-1)),
+        ("max_events", json!(0)),
+        ("max_events", json!(1.5)),
+    ] {
+        slowly = midterm().to_value().unwrap();
+        slowly[key] = value.clone();
+        assert_eq!(set(key, value), Scenario::from_value(&slowly).unwrap_err().to_string(), "{key}");
+    }
+}
+
+#[test]
 fn a_path_that_leads_nowhere_says_why() {
     assert_eq!(
         set("balls.rd.radius", json!(1)),

@@ -14,6 +14,7 @@ pub(super) fn check_pockets(draft: &Draft<'_>, table: &model::Table<f64>, findin
         check_changes(preset, expanded, findings);
     }
     check_ids(expanded, findings);
+    check_mouths(draft, expanded, findings);
     if findings.is_sound("table") && matches!(expanded, Table::PocketTable { .. }) {
         check_rails(table, findings);
     }
@@ -50,6 +51,22 @@ fn check_ids(table: &Table, findings: &mut Findings) {
     }
 }
 
+/// Notes mouths that not even the smallest ball passes.
+fn check_mouths(draft: &Draft<'_>, table: &Table, findings: &mut Findings) {
+    let (Table::PocketTable { corner, side, .. }, Some(least)) = (table, least_radius(draft)) else { return };
+    for (key, mouth) in [("corner", corner), ("side", side)] {
+        let place = format!("table.{key}.width");
+        if mouth.width <= 2.0 * least && findings.is_sound(&place) {
+            let diameter = 2.0 * least;
+            findings.add(place, format!("must be more than a ball, {diameter}, got {}", mouth.width));
+        }
+    }
+}
+
+fn least_radius(draft: &Draft<'_>) -> Option<f64> {
+    draft.balls().filter_map(|(_, ball)| ball.radius.or(draft.ball_defaults.radius)).reduce(f64::min)
+}
+
 /// Notes mouths so wide that nothing is left of a rail between them.
 fn check_rails(table: &model::Table<f64>, findings: &mut Findings) {
     let size = table.size();
@@ -79,8 +96,7 @@ fn check_rails(table: &model::Table<f64>, findings: &mut Findings) {
 
 /// Notes holes so small that a ball touches the back of the pocket before it falls.
 fn check_backs(draft: &Draft<'_>, table: &model::Table<f64>, findings: &mut Findings) {
-    let radii = draft.balls().filter_map(|(_, ball)| ball.radius.or(draft.ball_defaults.radius));
-    let Some(least) = radii.reduce(f64::min) else { return };
+    let Some(least) = least_radius(draft) else { return };
     for (key, id) in [("corner", "lb"), ("side", "lc")] {
         let back = table.cushions().find(|cushion| cushion.id == format!("{id}.back"));
         let pocket = table.pockets.iter().find(|pocket| pocket.id == id);

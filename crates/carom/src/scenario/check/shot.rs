@@ -53,7 +53,12 @@ fn check_ball(draft: &Draft<'_>, shot: &Shot, findings: &mut Findings) {
     let Some((index, ball)) = draft.balls().find(|(_, ball)| ball.id == shot.cue_ball) else {
         if all_known {
             let ids: Vec<&str> = draft.balls().map(|(_, ball)| ball.id.as_str()).collect();
-            let message = format!("there is no ball {:?}{}", shot.cue_ball, suggestion(&shot.cue_ball, &ids));
+            let of_rack = draft.rack.map(|rack| rack.game.cue_ball()).filter(|id| ids.contains(id));
+            let hint = of_rack.map_or_else(
+                || suggestion(&shot.cue_ball, &ids),
+                |id| format!("; the cue ball of the rack is {id:?}"),
+            );
+            let message = format!("there is no ball {:?}{hint}", shot.cue_ball);
             findings.add("shot.cue_ball", message);
         }
         return;

@@ -43,3 +43,15 @@ pub enum Game {
     /// Seven reds and seven yellows in a triangle around the 8, which stands on the foot spot.
     EnglishPool,
 }
+
+impl Game {
+    /// The ball that the cue strikes first.
+    pub fn cue_ball(self) -> &'static str {
+        match self {
+            Self::Snooker | Self::ThreeCushion => "white",
+            Self::EightBall | Self::NineBall | Self::TenBall | Self::StraightPool | Self::EnglishPool => {
+                "cue"
+            }
+        }
+    }
+}
