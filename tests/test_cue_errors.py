@@ -158,6 +158,7 @@ def test_a_miscue_is_no_success() -> None:
     done = shell("run", "nine_ball_break", "--set", "shot.a=0.6")
     assert done.exit_code == 1
     assert "ended by miscue" in done.stderr
+    assert "cue.miscue_offset" in done.stderr
 
 
 def test_cue_sports_are_listed() -> None:

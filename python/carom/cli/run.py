@@ -98,7 +98,8 @@ def run(
     facts = {"out": None if out is None else str(out), "files": written, "animation_speed": film_speed}
     _print_json(result, facts) if as_json else _print_tables(result, facts)
     if result.status in ("collapsed", "miscue") or (result.status == "event_limit" and max_events is None):
-        say_error("run", f"ended by {result.status} at t = {result.end_time:g}, before its time")
+        why = ": the tip slips off so far from the middle, see cue.miscue_offset" if result.status == "miscue" else ""
+        say_error("run", f"ended by {result.status} at t = {result.end_time:g}, before its time{why}")
         raise typer.Exit(PROBLEM)
 
 
