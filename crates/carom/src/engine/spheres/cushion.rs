@@ -37,8 +37,10 @@ impl<S: Scalar> Spheres<S> {
         let new_flight =
             |after| self.flight_after(ball, time, present.position, &hit.twist, after, Cause::Cushion);
         let (away, level) = (new_flight(after), hit.closing_normal());
-        let (pull, parting_speed) =
-            (-away.acceleration().dot(level), away.velocity_after(S::ZERO).dot(level));
+        let velocity = away.velocity_after(S::ZERO);
+        let bend = self.system.faces[cushion as usize].bend(present.position.plan(), velocity.plan());
+        let pull = (Vec3::above(hit.normal * bend, S::ZERO) - away.acceleration()).dot(level);
+        let parting_speed = velocity.dot(level);
         let is_pressed = self.is_pressed(&[present], closing_speed, time);
         if let Some(lacking) = self.lacking_speed(&[present], is_pressed, pull, parting_speed) {
             after = hop_away(&hit.sphere, after, level, lacking);
