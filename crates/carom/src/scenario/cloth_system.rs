@@ -171,7 +171,11 @@ fn kept_speed<S: Scalar>(sphere: &Sphere<S>, cloth: &Cloth<S>) -> S {
 fn fastest<S: Scalar>(starts: &[BallStart<S>], stroke: Option<&Stroke<S>>) -> S {
     let speed = |start: &BallStart<S>| (start.velocity.norm() + start.spin.norm() * start.radius).detached();
     let struck = stroke.map(|stroke| stroke.strike.speed.detached());
-    starts.iter().map(speed).chain(struck).fold(S::ZERO, |most, speed| if speed > most { speed } else { most })
+    starts
+        .iter()
+        .map(speed)
+        .chain(struck)
+        .fold(S::ZERO, |most, speed| if speed > most { speed } else { most })
 }
 
 fn cloth<S: Scalar>(flight: &schema::Flight, number: Number<'_, S>) -> Cloth<S> {
