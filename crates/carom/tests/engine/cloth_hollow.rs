@@ -87,3 +87,26 @@ fn where_noses_are_touched_in_plan_no_ball_lands_nearer_than_one_can_roll() {
         assert!(state.motion == Motion::OffTable || gap > -1e-9, "shot {shot}: {state:?}");
     }
 }
+
+/// Nose and cloth both rub so hard that the ball all but stops between them, which the law must see through to its end.
+#[test]
+fn a_ball_all_but_wedged_between_nose_and_cloth_leaves_with_finite_numbers() {
+    let wedge = json!({
+        "duration": 20.0,
+        "table": { "shape": "circle", "radius": RIM, "nose_height": 0.02185273197980108 },
+        "physics": {
+            "flight": { "law": "cloth", "gravity": 0.0 },
+            "ball_cushion": { "law": "mathavan_2010", "normal": 1.0, "friction": 1.0 },
+        },
+        "balls": [{
+            "id": "a", "radius": 0.019154426561711457, "mass": 0.19482404778279985, "sliding_friction": 1.0,
+            "rolling_friction": 0.01, "spin_decay": 0.0,
+            "position": [-0.00929583643956966, -0.2613714035679541],
+            "velocity": [-0.6600336734903297, -0.2375604220226737],
+            "spin": [50.91706501951229, 6.006366878015442, 6.46005789235673],
+        }],
+    });
+    let run = run(&wedge);
+    assert!(run.digest().is_some());
+    assert!(run.diagnostics.energy_gain <= 1e-14 * run.diagnostics.initial_energy, "{:?}", run.diagnostics);
+}
