@@ -142,6 +142,21 @@ impl<S: Scalar> Face<S> {
             }
         }
     }
+
+    /// How fast what goes along it at some distance is carried into it, an acceleration: `v²/d` at a hollow one, d the
+    /// distance from its centre; away from a round one, so less than zero there.
+    pub fn bend(&self, position: Vec2<S>, velocity: Vec2<S>) -> S {
+        match self {
+            Face::Line(_) => S::ZERO,
+            Face::Round(round) => {
+                let ray = position - round.arc.center;
+                let distance = ray.norm();
+                let along = ray.cross(velocity) / distance;
+                let bend = along.squared() / distance;
+                if round.is_hollow() { bend } else { -bend }
+            }
+        }
+    }
 }
 
 impl<S: Scalar> Line<S> {

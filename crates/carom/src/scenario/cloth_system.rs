@@ -41,12 +41,12 @@ pub struct ClothSystem<S> {
     pub ball_ball: ball_ball::SphereLaw<S>,
     /// The law of several contacts at one instant.
     pub cluster: Cluster,
-    /// For each ball the time t_c = 0.05 √(2R/g): balls that are pressed together hop for so long, and contacts that
-    /// follow each other faster lose nothing up to v_c.
+    /// For each ball the time t_c = 0.05 √(2R/g), without gravity 0.05 R/v for the greatest speed v at the start: balls that
+    /// are pressed together hop for so long, and contacts that follow each other faster lose nothing up to v_c.
     pub hop_times: Vec<S>,
     /// For each ball that speed, v_c = 0.005 √(2 g R).
     pub kept_speeds: Vec<S>,
-    /// For each ball the time within which contacts count as following each other too fast: 1e-3 √(2R/g).
+    /// For each ball the time within which contacts count as following each other too fast: t_c/50.
     pub collapse_times: Vec<S>,
     /// The contact tolerance δ.
     pub tolerance: ContactTolerance<S>,
@@ -61,7 +61,8 @@ pub struct ClothSystem<S> {
 /// How a ball touches the noses of cushions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoseReach<S> {
-    /// Height of the noses.
+    /// Height at which the noses are met from the air; for balls that touch them in plan that of a centre on the cloth, so
+    /// that a ball which lands is where one that rolls could be.
     pub height: S,
     /// Distance in plan from a nose to the centre of a ball on the cloth that touches it.
     pub reach: S,
@@ -110,8 +111,11 @@ impl<S: Scalar> ClothSystem<S> {
         let spheres: Vec<_> = starts.iter().map(BallStart::sphere).collect();
         let holes = table.pockets.iter().map(|pocket| Hole::new(pocket.center, pocket.radius)).collect();
         let faces = faces(&table);
+        let stroke = stroke(scenario, number);
+        let fastest = fastest(&starts, stroke.as_ref());
+        let times: Vec<_> = spheres.iter().map(|sphere| own_time(sphere, &cloth, fastest)).collect();
         Self {
-            stroke: stroke(scenario, number),
+            stroke,
             noses: spheres.iter().map(|sphere| nose_reach(sphere, &table.nose)).collect(),
             cushion_laws: CushionLaws::new(&scenario.physics, &mut |place, law| {
                 cushion_law(place, law, number)
@@ -119,12 +123,9 @@ impl<S: Scalar> ClothSystem<S> {
             .of_table(&table),
             ball_ball: ball_ball_law(scenario.physics.ball_ball(), number),
             cluster: scenario.physics.cluster(),
-            hop_times: spheres.iter().map(|sphere| fall(sphere, &cloth).0 * S::from_f64(HOP_TIME)).collect(),
-            kept_speeds: spheres
-                .iter()
-                .map(|sphere| fall(sphere, &cloth).1 * S::from_f64(KEPT_SPEED))
-                .collect(),
-            collapse_times: spheres.iter().map(|sphere| fall(sphere, &cloth).0 * S::from_f64(1e-3)).collect(),
+            hop_times: times.iter().map(|time| *time * S::from_f64(HOP_TIME)).collect(),
+            kept_speeds: spheres.iter().map(|sphere| kept_speed(sphere, &cloth)).collect(),
+            collapse_times: times.iter().map(|time| *time * S::from_f64(COLLAPSE_TIME)).collect(),
             tolerance: ContactTolerance::new(&table),
             duration: scenario.duration.map(|value| number(&"duration", value)),
             ball_ids: scenario.balls.iter().map(|ball| ball.id.clone()).collect(),
@@ -140,18 +141,41 @@ impl<S: Scalar> ClothSystem<S> {
     }
 }
 
-/// t_c as a part of the time √(2R/g) in which a ball falls by its radius.
+/// t_c as a part of a ball's own time.
 const HOP_TIME: f64 = 0.05;
 
-/// v_c as a part of the speed √(2gR) of that fall.
+/// The same of the time within which contacts count as following each other too fast.
+const COLLAPSE_TIME: f64 = 1e-3;
+
+/// v_c as a part of the speed √(2gR) of a fall by a ball's radius.
 const KEPT_SPEED: f64 = 0.005;
 
-/// The time √(2R/g) in which a ball falls by its radius, and the speed √(2gR) that it then has; both zero without gravity,
-/// where no friction presses balls together.
-fn fall<S: Scalar>(sphere: &Sphere<S>, cloth: &Cloth<S>) -> (S, S) {
-    let two = S::from_f64(2.0);
-    let time = if cloth.gravity > S::ZERO { (two * sphere.radius / cloth.gravity).sqrt() } else { S::ZERO };
-    (time, (two * cloth.gravity * sphere.radius).sqrt())
+/// The time √(2R/g) in which a ball falls by its radius; without gravity, where all that presses a ball onto something is
+/// a hollow cushion, the time in which the fastest goes as far.
+fn own_time<S: Scalar>(sphere: &Sphere<S>, cloth: &Cloth<S>, fastest: S) -> S {
+    if cloth.gravity > S::ZERO {
+        (S::from_f64(2.0) * sphere.radius / cloth.gravity).sqrt()
+    } else if fastest > S::ZERO {
+        sphere.radius / fastest
+    } else {
+        S::ZERO
+    }
+}
+
+/// The speed v_c; zero without gravity, where no friction presses balls together.
+fn kept_speed<S: Scalar>(sphere: &Sphere<S>, cloth: &Cloth<S>) -> S {
+    (S::from_f64(2.0) * cloth.gravity * sphere.radius).sqrt() * S::from_f64(KEPT_SPEED)
+}
+
+/// A speed that none of the balls much exceeds, their spins counted in.
+fn fastest<S: Scalar>(starts: &[BallStart<S>], stroke: Option<&Stroke<S>>) -> S {
+    let speed = |start: &BallStart<S>| (start.velocity.norm() + start.spin.norm() * start.radius).detached();
+    let struck = stroke.map(|stroke| stroke.strike.speed.detached());
+    starts
+        .iter()
+        .map(speed)
+        .chain(struck)
+        .fold(S::ZERO, |most, speed| if speed > most { speed } else { most })
 }
 
 fn cloth<S: Scalar>(flight: &schema::Flight, number: Number<'_, S>) -> Cloth<S> {
@@ -186,11 +210,11 @@ fn nose_reach<S: Scalar>(sphere: &Sphere<S>, nose: &Nose<S>) -> NoseReach<S> {
     let height = nose.height.unwrap_or(sphere.radius);
     let sin = (height - sphere.radius) / sphere.radius;
     let cos = other_leg(sin);
-    let direction = match nose.contact {
-        NoseContact::Nose => (sin, cos),
+    let (height, direction) = match nose.contact {
+        NoseContact::Nose => (height, (sin, cos)),
         NoseContact::Plan => {
             let slant = (S::ONE + sin.squared()).sqrt();
-            (sin / slant, S::ONE / slant)
+            (sphere.radius, (sin / slant, S::ONE / slant))
         }
     };
     NoseReach { height, reach: nose.reach(sphere.radius, sphere.radius), tilt: (sin, cos), direction }

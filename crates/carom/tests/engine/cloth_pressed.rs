@@ -1,8 +1,10 @@
 //! Balls that are pressed together, or onto cushions, come to rest after few events, without overlap and without gain.
 
 use crate::kit::cloth::{
-    ClothRun, RADIUS, at, deepest_overlap, events, kinds_of, on_table, rolling, run, spun, still, stun, wide,
+    ClothRun, RADIUS, at, bits_of, deepest_overlap, events, kinds_of, on_table, rolling, run, spun, still,
+    stun, wide,
 };
+use crate::kit::random::Random;
 use crate::kit::scenes::{rack, rectangle};
 use carom::flight::Motion;
 use carom::run::{Kind, Status};
@@ -170,4 +172,41 @@ fn two_balls_that_spin_in_place_against_each_other_do_not_meet() {
     assert!(events(&run, Kind::BallBall).is_empty());
     assert_eq!(run.log.events.len(), 2);
     assert!(at(&run, run.end_time).iter().all(|state| state.motion == Motion::Resting));
+}
+
+/// Up to five balls in a chain of contacts, the first frozen to a cushion, with any spins and some motion.
+fn chain(random: &mut Random) -> Vec<Value> {
+    let mut places = vec![[RADIUS, 0.4]];
+    for _ in 0..2 + random.below(3) {
+        let [x, y] = places[places.len() - 1];
+        let angle = (60.0 * random.below(4) as f64 - 90.0).to_radians();
+        places.push([x + 2.0 * RADIUS * angle.cos(), y + 2.0 * RADIUS * angle.sin()]);
+    }
+    let mut ball = |(k, place): (usize, &[f64; 2])| {
+        let speed = if random.flips() { 0.02 } else { 0.0 };
+        let velocity = random.direction().map(|part| part * speed);
+        let rolled = [0; 3].map(|_| random.between(-0.5, 0.5));
+        spun(&k.to_string(), *place, velocity, rolled)
+    };
+    places.iter().enumerate().map(|(k, place)| ball((k, place))).collect()
+}
+
+#[test]
+fn the_numbers_of_balls_that_touch_and_are_pressed_change_no_bit() {
+    let mut random = Random::new(11);
+    let mut compared = 0;
+    while compared < 200 {
+        let balls = chain(&mut random);
+        let law = random.choose(&laws()).clone();
+        let value = on_table(&rectangle(0.8, 0.8), &law, &balls);
+        if carom::scenario::Scenario::from_json(&value.to_string()).is_err() {
+            continue;
+        }
+        let backwards: Vec<Value> = balls.iter().rev().cloned().collect();
+        let [mut one, other] = [value, on_table(&rectangle(0.8, 0.8), &law, &backwards)]
+            .map(|value| bits_of(&run(&value).final_state()));
+        one.reverse();
+        assert_eq!(one, other, "{}", json!({ "law": law, "balls": balls }));
+        compared += 1;
+    }
 }

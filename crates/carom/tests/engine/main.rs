@@ -14,6 +14,7 @@ mod cloth_air;
 mod cloth_clusters;
 mod cloth_continuation;
 mod cloth_events;
+mod cloth_hollow;
 mod cloth_invariants;
 mod cloth_motion;
 mod cloth_overlaps;

@@ -115,8 +115,11 @@ fn touch_round<S: Scalar>(
     let spans = |offset: S| round.arc.spans(flight.plan.position_after(offset) - round.arc.center, tolerance);
     let tolerance = S::from_f64(2.0) * radius * tolerance;
     let end = gap.end();
-    if gap.value(S::ZERO).abs() <= tolerance && gap.slope(S::ZERO) < S::ZERO && spans(S::ZERO) {
-        return Some(S::ZERO);
+    if gap.value(S::ZERO).abs() <= tolerance {
+        let turn = turn_in_contact(&gap, tolerance, end);
+        if let Some(turn) = turn.filter(|turn| spans(*turn)) {
+            return Some(turn);
+        }
     }
     let mut from = S::ZERO;
     // A ball meets a circle's nose from its two sides and from above: no more often than this.
@@ -128,6 +131,48 @@ fn touch_round<S: Scalar>(
         from = offset;
     }
     None
+}
+
+/// The time from which on a gap that starts in contact closes, if it does so without having been told from zero; a
+/// crossing, which begins in front, is none of those.
+fn turn_in_contact<S: Scalar, G: Gap<S>>(gap: &G, tolerance: S, end: S) -> Option<S> {
+    if gap.slope(S::ZERO) < S::ZERO {
+        return Some(S::ZERO);
+    }
+    let raised = Raised { gap, by: tolerance + tolerance };
+    let closed = first_closing_crossing(&raised, S::ZERO, end)?;
+    if first_closing_crossing(gap, S::ZERO, closed).is_some() {
+        return None;
+    }
+    let (mut opening, mut closing) = (S::ZERO, closed.detached());
+    loop {
+        let middle = opening + (closing - opening) * S::from_f64(0.5);
+        if middle <= opening || middle >= closing {
+            return Some(closing);
+        }
+        *(if gap.slope(middle) < S::ZERO { &mut closing } else { &mut opening }) = middle;
+    }
+}
+
+/// A gap with something added.
+struct Raised<'a, S, G> {
+    gap: &'a G,
+    by: S,
+}
+
+impl<S: Scalar, G: Gap<S>> Gap<S> for Raised<'_, S, G> {
+    fn value(&self, t: S) -> S {
+        self.gap.value(t) + self.by
+    }
+
+    fn slope(&self, t: S) -> S {
+        self.gap.slope(t)
+    }
+
+    fn enclosure(&self, from: S, to: S) -> Enclosure<S> {
+        let Enclosure { value, slope } = self.gap.enclosure(from, to);
+        Enclosure { value: Interval { lower: value.lower + self.by, upper: value.upper + self.by }, slope }
+    }
 }
 
 fn pass_round<S: Scalar>(flight: &SphereFlight<S>, round: &Round<S>, tolerance: S) -> Option<S> {

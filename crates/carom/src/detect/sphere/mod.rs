@@ -28,11 +28,7 @@ pub fn detect_spheres<S: Scalar>(
     if a.motion.is_still() && b.motion.is_still() {
         return None;
     }
-    let horizon = common_length(a, b, until);
-    if horizon <= S::ZERO {
-        // What one of them does next is another flight.
-        return None;
-    }
+    let horizon = common_length(a, b, until)?;
     if a.motion == Motion::Airborne || b.motion == Motion::Airborne {
         air::detect_ball(a, b, radii[0] + radii[1], tolerance, horizon)
     } else {
@@ -40,11 +36,13 @@ pub fn detect_spheres<S: Scalar>(
     }
 }
 
-/// How long both flights last, from the later of their starts, up to a time; an event at that very time counts.
-fn common_length<S: Scalar>(a: &SphereFlight<S>, b: &SphereFlight<S>, until: S) -> S {
+/// How long both flights last, from the later of their starts, up to a time; an event at that very time counts. `None` where
+/// one has ended, for what that ball does next is another flight, and where the time is past.
+fn common_length<S: Scalar>(a: &SphereFlight<S>, b: &SphereFlight<S>, until: S) -> Option<S> {
     let start = a.plan.later_start(&b.plan);
     let (left_a, left_b) = (a.length - (start - a.start()), b.length - (start - b.start()));
     let length = if left_a < left_b { left_a } else { left_b };
     let left = (until - start) + until.abs() * S::from_f64(4.0 * S::EPSILON);
-    if left < length { left } else { length }
+    let horizon = if left < length { left } else { length };
+    (length > S::ZERO && left >= S::ZERO).then_some(horizon)
 }

@@ -104,8 +104,9 @@ impl<S: Scalar> Spheres<S> {
     fn is_closing(&self, members: &[Present<S>], touch: &Touch<S, Vec3<S>, SphereLaw<S>>) -> bool {
         let pair = [members[touch.a], members[touch.b.unwrap_or(touch.a)]];
         let speed = (pair[0].twist.velocity - pair[1].twist.velocity).dot(touch.normal);
-        let creep = self.system.kept_speeds[pair[0].ball] * S::from_f64(CREEP);
-        speed > threshold(&pair) + creep
+        let [a, b] = pair.map(|present| self.system.kept_speeds[present.ball]);
+        let creep = if b < a { b } else { a };
+        speed > threshold(&pair) + creep * S::from_f64(CREEP)
     }
 
     fn resolve_normal(

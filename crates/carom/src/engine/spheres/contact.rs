@@ -2,8 +2,9 @@
 
 use super::ending::{Cause, size};
 use super::hop::{hop_apart, stop};
-use super::{Ball, Spheres};
+use super::{Ahead, Ball, Spheres};
 use crate::engine::interface::Fault;
+use crate::engine::queue::Pending;
 use crate::flight::{Motion, SphereFlight};
 use crate::geometry::Vec3;
 use crate::law::ball_ball::{SphereImpact, SpherePair};
@@ -44,8 +45,43 @@ impl<S: Scalar> Spheres<S> {
         Present { ball, sphere, position: state.position, twist: state.twist }
     }
 
+    /// Of all meetings of balls at a time makes that happen which comes first in order of place, so that it does not matter
+    /// how the balls are numbered. Says whether it did: if one is stale it is predicted anew instead.
+    pub(super) fn strike_first(&mut self, time: S, observer: &mut impl Observer<S, OnCloth>) -> bool {
+        let mut first: Option<([usize; 2], S, [Vec3<S>; 2])> = None;
+        for ball in 0..self.balls.len() {
+            let Pending { time: own, offset, target } = *self.queue.pending(ball);
+            let Ahead::Ball(other, changes) = target else { continue };
+            if own != time {
+                continue;
+            }
+            let pair = [ball, other as usize];
+            if self.balls[pair[1]].track.changes != changes {
+                self.diagnostics.stale += 1;
+                self.predict(ball);
+                return false;
+            }
+            let places = self.meeting_places(pair, offset);
+            if first.is_none_or(|(.., before)| by_places(&places, &before).is_lt()) {
+                first = Some((pair, offset, places));
+            }
+        }
+        if let Some((pair, offset, _)) = first {
+            self.strike_ball(pair, time, offset, observer);
+        }
+        first.is_some()
+    }
+
+    /// Where two balls are as they meet, in order of place.
+    fn meeting_places(&self, pair: [usize; 2], offset: S) -> [Vec3<S>; 2] {
+        let [a, b] = pair.map(|ball| &self.balls[ball].flight);
+        let start = a.plan.later_start(&b.plan);
+        let [a, b] = [a, b].map(|flight| flight.position_after(start - flight.start() + offset));
+        if by_place(a, b).is_gt() { [b, a] } else { [a, b] }
+    }
+
     /// Two balls meet, and perhaps more that touch them.
-    pub(super) fn strike_ball(
+    fn strike_ball(
         &mut self,
         balls: [usize; 2],
         time: S,
@@ -242,6 +278,10 @@ pub(super) fn contact_event<S: Scalar>(
         impulse,
         cluster: None,
     }
+}
+
+fn by_places<S: Scalar>(a: &[Vec3<S>; 2], b: &[Vec3<S>; 2]) -> Ordering {
+    by_place(a[0], b[0]).then_with(|| by_place(a[1], b[1]))
 }
 
 /// The order of places: from left to right, then from bottom to top.

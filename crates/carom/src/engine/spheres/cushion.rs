@@ -1,9 +1,10 @@
 //! A ball meets a cushion.
 
-use super::contact::threshold;
+use super::contact::{by_place, threshold};
 use super::ending::Cause;
 use super::hop::{hop_away, stop};
-use super::{Ball, Spheres};
+use super::{Ahead, Ball, Spheres};
+use crate::engine::queue::Pending;
 use crate::flight::Motion;
 use crate::geometry::Vec3;
 use crate::law::ball_cushion::CushionHit;
@@ -13,8 +14,23 @@ use crate::run::{Event, Kind, Observer, OnCloth};
 use crate::scalar::{Scalar, other_leg};
 
 impl<S: Scalar> Spheres<S> {
+    /// Of all meetings of balls with cushions at a time makes that happen which comes first in order of place: two of these
+    /// balls may touch each other.
+    pub(super) fn strike_first_cushion(&mut self, time: S, observer: &mut impl Observer<S, OnCloth>) {
+        let meetings = (0..self.balls.len()).filter_map(|ball| match *self.queue.pending(ball) {
+            Pending { time: own, offset, target: Ahead::Cushion(cushion) } if own == time => {
+                Some((ball, cushion, offset, self.balls[ball].flight.position_after(offset)))
+            }
+            _ => None,
+        });
+        let first = meetings.reduce(|a, b| if by_place(b.3, a.3).is_lt() { b } else { a });
+        if let Some((ball, cushion, offset, _)) = first {
+            self.strike_cushion(ball, cushion, time, offset, observer);
+        }
+    }
+
     /// A ball meets the nose of a cushion.
-    pub(super) fn strike_cushion(
+    fn strike_cushion(
         &mut self,
         ball: usize,
         cushion: u32,
@@ -37,8 +53,10 @@ impl<S: Scalar> Spheres<S> {
         let new_flight =
             |after| self.flight_after(ball, time, present.position, &hit.twist, after, Cause::Cushion);
         let (away, level) = (new_flight(after), hit.closing_normal());
-        let (pull, parting_speed) =
-            (-away.acceleration().dot(level), away.velocity_after(S::ZERO).dot(level));
+        let velocity = away.velocity_after(S::ZERO);
+        let bend = self.system.faces[cushion as usize].bend(present.position.plan(), velocity.plan());
+        let pull = (Vec3::above(hit.normal * bend, S::ZERO) - away.acceleration()).dot(level);
+        let parting_speed = velocity.dot(level);
         let is_pressed = self.is_pressed(&[present], closing_speed, time);
         if let Some(lacking) = self.lacking_speed(&[present], is_pressed, pull, parting_speed) {
             after = hop_away(&hit.sphere, after, level, lacking);

@@ -128,15 +128,12 @@ impl<S: Scalar> Engine<S> for Spheres<S> {
                 return None;
             }
             match target {
-                Ahead::Ball(other, changes) => {
-                    if self.balls[other as usize].track.changes != changes {
-                        self.diagnostics.stale += 1;
-                        self.predict(ball);
+                Ahead::Ball(..) => {
+                    if !self.strike_first(time, observer) {
                         continue;
                     }
-                    self.strike_ball([ball, other as usize], time, offset, observer);
                 }
-                Ahead::Cushion(cushion) => self.strike_cushion(ball, cushion, time, offset, observer),
+                Ahead::Cushion(_) => self.strike_first_cushion(time, observer),
                 Ahead::Over(cushion) => self.leave_table(ball, cushion, time, offset, observer),
                 Ahead::Pocket(pocket) => self.drop_into(ball, pocket, time, offset, observer),
                 Ahead::End => self.end_flight(ball, time, observer),

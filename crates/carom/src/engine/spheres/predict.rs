@@ -1,5 +1,6 @@
 //! Prediction: a ball's next event, from the flights as they are.
 
+use super::contact::by_place;
 use super::{Ahead, Ball, Spheres};
 use crate::detect::{
     Crossing, Surroundings, cushion_gap, detect_nose, detect_nose_in_the_air, detect_pocket,
@@ -157,8 +158,8 @@ impl<S: Scalar> Spheres<S> {
         next
     }
 
-    /// The earlier of two events of a ball. At one time balls come before cushions, and of several cushions the one that
-    /// the ball moves into fastest: so their numbers do not matter.
+    /// The earlier of two events of a ball. At one time balls come before cushions, of several balls the first in order of
+    /// place, and of several cushions the one that the ball moves into fastest: so their numbers do not matter.
     fn sooner(
         &self,
         ball: usize,
@@ -175,6 +176,13 @@ impl<S: Scalar> Spheres<S> {
                 let velocity = self.balls[ball].flight.plan.velocity_after(offset);
                 let speed = |face: u32| -self.system.faces[face as usize].normal_at(position).0.dot(velocity);
                 speed(new) > speed(old)
+            }
+            (Ahead::Ball(new, _), Ahead::Ball(old, _)) => {
+                let place = |ball: u32| {
+                    let flight = &self.balls[ball as usize].flight;
+                    flight.position_after(time - flight.start())
+                };
+                by_place(place(new), place(old)).is_lt()
             }
             (new, old) => new.rank(ball).0 < old.rank(ball).0,
         };

@@ -140,7 +140,12 @@ impl<S: Scalar, const N: usize> March<S, N> {
         }
         for _ in 0..LAST_STEPS {
             mean = self.mean(first, normal);
-            normal = end(&mean);
+            let better = end(&mean);
+            if better >= S::INFINITY {
+                // The friction has turned meanwhile, and with it the phase does not end: the step is one like others.
+                return (Step { normal, mean }, false);
+            }
+            normal = better;
         }
         (Step { normal, mean }, true)
     }
