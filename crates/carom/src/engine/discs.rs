@@ -3,6 +3,7 @@
 //! One event is pending for each disc. The only thing that makes it stale is a change of its partner's course, which the
 //! partner's counter tells; nobody hunts for third parties.
 
+use super::grid::Grid;
 use super::interface::{Engine, Fault};
 use super::queue::{Pending, Queue, Target};
 use super::simulation::Coming;
@@ -19,6 +20,9 @@ use std::sync::Arc;
 /// Events on one ball within the collapse time after which a run is given up.
 const BURST_LIMIT: u32 = 1000;
 
+/// From so many balls on they are looked for in a grid.
+const GRID_FROM: usize = 50;
+
 /// The energy is summed at 2^k events, but not below sixteen: so short a run is summed at its end.
 const AUDIT_MASK: u64 = 15;
 
@@ -30,12 +34,21 @@ pub(super) struct Ball<S> {
     pub(super) track: Track<S>,
 }
 
+/// Where balls are, and for each what it meets next if that comes before it leaves its cell.
+#[derive(Clone, Debug)]
+pub(super) struct Neighbourhood<S> {
+    pub(super) grid: Grid<S>,
+    pub(super) meetings: Vec<Pending<S>>,
+}
+
 /// The state of the discs: everything that changes during a run.
 #[derive(Clone, Debug)]
 pub struct Discs<S> {
     pub(super) system: Arc<System<S>>,
     pub(super) balls: Vec<Ball<S>>,
     pub(super) queue: Queue<S>,
+    /// Who is near whom, where there are many.
+    pub(super) grid: Option<Neighbourhood<S>>,
     pub(super) diagnostics: Diagnostics,
     /// All events so far.
     pub(super) events: u64,
@@ -51,14 +64,14 @@ impl<S: Scalar> Engine<S> for Discs<S> {
 
     fn new(system: Arc<System<S>>, observer: &mut impl Observer<S>) -> Self {
         let start: Vec<_> = system.flights.iter().map(|&flight| (flight, Track::new())).collect();
-        let mut discs = Self::with(system, &start);
+        let mut discs = Self::with(system, &start, S::ZERO);
         discs.energy_at_start = discs.energy_at(S::ZERO);
         discs.begin(observer);
         discs
     }
 
     fn resume(run: &Run<S>) -> Self {
-        let mut discs = Self::with(run.system.clone(), &run.balls);
+        let mut discs = Self::with(run.system.clone(), &run.balls, run.end_time);
         discs.diagnostics = run.diagnostics.clone();
         discs.events = run.diagnostics.total_events();
         discs.energy_at_start = run.diagnostics.initial_energy;
@@ -69,6 +82,10 @@ impl<S: Scalar> Engine<S> for Discs<S> {
     fn reset(&mut self, observer: &mut impl Observer<S>) {
         for (ball, flight) in self.balls.iter_mut().zip(&self.system.flights) {
             (ball.flight, ball.track) = (*flight, Track::new());
+        }
+        if let Some(Neighbourhood { grid, .. }) = &mut self.grid {
+            let places: Vec<_> = self.system.flights.iter().map(|flight| flight.position).collect();
+            grid.fill(&places);
         }
         self.begin(observer);
     }
@@ -91,6 +108,10 @@ impl<S: Scalar> Engine<S> for Discs<S> {
                     self.strike_ball(ball, other as usize, time, offset, observer);
                 }
                 Target::Release(cushion) => self.release(ball, cushion, time, offset, observer),
+                Target::Cell(side) => {
+                    self.cross(ball, side);
+                    continue;
+                }
                 Target::Nothing => return None,
             }
             return Some(time);
@@ -146,22 +167,35 @@ impl<S: Scalar> Engine<S> for Discs<S> {
     }
 
     fn comings(&mut self, time: S) -> Vec<Coming<S>> {
+        // What comes after the next cell only a look at all others tells.
+        let grid = self.grid.take();
+        if grid.is_some() {
+            self.predict_all();
+        }
         self.refresh();
-        (0..self.balls.len()).map(|ball| self.coming(ball, time)).collect()
+        let comings = (0..self.balls.len()).map(|ball| self.coming(ball, time)).collect();
+        if grid.is_some() {
+            self.grid = grid;
+            self.predict_all();
+        }
+        comings
     }
 }
 
 impl<S: Scalar> Discs<S> {
-    fn with(system: Arc<System<S>>, balls: &[(Flight<S>, Track<S>)]) -> Self {
+    fn with(system: Arc<System<S>>, balls: &[(Flight<S>, Track<S>)], time: S) -> Self {
         let ball = |(&(flight, track), &disc)| Ball { flight, disc, track };
+        let is_plain = system.field == Vec2::ZERO && !system.has_backs;
+        let is_grid_worth_it = is_plain && balls.len() >= GRID_FROM;
         Self {
+            grid: is_grid_worth_it.then(|| Neighbourhood::new(&system, balls, time)).flatten(),
             balls: balls.iter().zip(&system.discs).map(ball).collect(),
             queue: Queue::new(balls.len()),
             diagnostics: Diagnostics::default(),
             events: 0,
             energy_at_start: 0.0,
             has_field: system.field != Vec2::ZERO,
-            is_plain: system.field == Vec2::ZERO && !system.has_backs,
+            is_plain,
             fault: None,
             system,
         }
@@ -183,7 +217,7 @@ impl<S: Scalar> Discs<S> {
         let position = self.state_at(ball, now).position;
         let radius = self.balls[ball].disc.radius;
         let (kind, other, cushion, gap) = match pending.target {
-            Target::Nothing => (None, None, None, None),
+            Target::Nothing | Target::Cell(_) => (None, None, None, None),
             Target::Ball(other, _) => {
                 let distance = (self.state_at(other as usize, now).position - position).norm();
                 let gap = distance - radius - self.balls[other as usize].disc.radius;
@@ -281,5 +315,19 @@ impl<S: Scalar> Discs<S> {
     fn is_in_burst(&self, ball: usize, time: S) -> bool {
         self.system.collapse_is_elastic
             && time - self.balls[ball].track.last_contact < self.system.collapse_times[ball]
+    }
+}
+
+impl<S: Scalar> Neighbourhood<S> {
+    fn new(system: &System<S>, balls: &[(Flight<S>, Track<S>)], time: S) -> Option<Self> {
+        let bounds = system.faces.bounds();
+        let diameter = system
+            .discs
+            .iter()
+            .fold(S::ZERO, |most, disc| if disc.radius > most { disc.radius } else { most });
+        let places: Vec<_> =
+            balls.iter().map(|(flight, _)| flight.position_after(time - flight.start)).collect();
+        let grid = Grid::new(&bounds, diameter + diameter, &places)?;
+        Some(Self { grid, meetings: vec![Pending::NEVER; balls.len()] })
     }
 }

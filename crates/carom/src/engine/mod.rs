@@ -3,6 +3,7 @@
 mod audit;
 mod cluster;
 mod discs;
+mod grid;
 mod hold;
 mod interface;
 mod predict;

@@ -1,6 +1,7 @@
 //! Prediction: a ball's next event, from the flights as they are.
 
-use super::discs::Discs;
+use super::discs::{Discs, Neighbourhood};
+use super::grid::Side;
 use super::queue::{Pending, Target};
 use crate::detect::{
     Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_ball_in_the_clear,
@@ -42,7 +43,53 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     pub(super) fn schedule(&mut self, ball: usize, next: Pending<S>) {
         self.diagnostics.predictions += 1;
-        self.queue.set(ball, next);
+        match &mut self.grid {
+            None => self.queue.set(ball, next),
+            Some(Neighbourhood { grid, meetings }) => {
+                meetings[ball] = next;
+                let flight = &self.balls[ball].flight;
+                let (offset, side) = grid.way_out(ball, flight);
+                self.queue.set(ball, next.earlier(flight.start, Some(offset), Target::Cell(side)));
+            }
+        }
+    }
+
+    /// A ball comes into the next cell: only what is in those that have come near can be new to it.
+    pub(super) fn cross(&mut self, ball: usize, side: Side) {
+        let Some(Neighbourhood { grid, meetings }) = &mut self.grid else { return };
+        grid.cross(ball, side);
+        let mut next = Some(meetings[ball]);
+        if let Some(Neighbourhood { grid, .. }) = &self.grid {
+            grid.ahead(ball, side, |other| {
+                next = next.and_then(|next| self.sooner(ball, &self.balls[ball].flight, other, next))
+            });
+        }
+        match next {
+            Some(next) => self.schedule(ball, next),
+            None => {
+                self.predict_near(ball, Target::Nothing);
+            }
+        }
+    }
+
+    /// The earlier of a ball's event `next` and its meeting with another, in flights that are straight; of two at one time
+    /// that with the lower number. `None` where the two are so near each other that more has to be asked.
+    #[inline(always)]
+    fn sooner(&self, ball: usize, flight: &Flight<S>, other: usize, next: Pending<S>) -> Option<Pending<S>> {
+        let their = &self.balls[other];
+        let radii = self.balls[ball].disc.radius + their.disc.radius;
+        if radii == S::ZERO {
+            return Some(next);
+        }
+        let offset = detect_ball_in_the_clear(flight, &their.flight, radii, &self.system.tolerance)?;
+        let (start, target) =
+            (flight.later_start(&their.flight), Target::Ball(other as u32, their.track.changes));
+        let is_first = matches!(next.target, Target::Ball(known, _) if start + offset == next.time && (other as u32) < known);
+        if is_first {
+            Some(Pending { offset, target, ..next })
+        } else {
+            Some(next.earlier(start, Some(offset), target))
+        }
     }
 
     /// A ball's next event on a flight where every flight is straight, no cushion hides it, and nothing but `struck` is in
@@ -67,21 +114,19 @@ impl<S: Scalar> Discs<S> {
         let (cushion, offset) =
             detect_cushion_in_the_clear(flight, disc.radius, &system.faces, tolerance, struck_cushion)?;
         let target = if offset < S::INFINITY { Target::Cushion(cushion as u32) } else { Target::Nothing };
-        let mut next = Pending { time: flight.start + offset, offset, target };
-        for other in 0..self.balls.len() {
-            if other == ball || other == struck_ball {
-                continue;
-            }
-            let their = &self.balls[other];
-            let radii = disc.radius + their.disc.radius;
-            if radii == S::ZERO {
-                continue;
-            }
-            let offset = detect_ball_in_the_clear(flight, &their.flight, radii, &system.tolerance)?;
-            let target = Target::Ball(other as u32, their.track.changes);
-            next = next.earlier(flight.later_start(&their.flight), Some(offset), target);
+        let mut next = Some(Pending { time: flight.start + offset, offset, target });
+        if let Some(Neighbourhood { grid, .. }) = &self.grid {
+            grid.near(ball, |other| {
+                if other != ball && other != struck_ball {
+                    next = next.and_then(|next| self.sooner(ball, flight, other, next));
+                }
+            });
+            return next;
         }
-        Some(next)
+        for other in (0..self.balls.len()).filter(|&other| other != ball && other != struck_ball) {
+            next = Some(self.sooner(ball, flight, other, next?)?);
+        }
+        next
     }
 
     /// Finds a ball's next event, in a field, between thin walls, or with something in touch; says whether anything is but
@@ -208,6 +253,7 @@ impl<S: Scalar> Discs<S> {
                     self.diagnostics.stale += 1;
                     self.predict(ball);
                 }
+                Target::Cell(side) => self.cross(ball, side),
                 _ => return time,
             }
         }

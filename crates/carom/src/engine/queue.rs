@@ -6,6 +6,7 @@
 //! An event of two balls may be pending for either of them, which depends on the past. So events at one time come in the
 //! order of their ranks, which depend on the events alone.
 
+use super::grid::Side;
 use crate::scalar::Scalar;
 
 /// Up to this many balls, the first is found by looking at all.
@@ -31,6 +32,8 @@ pub enum Target {
     Cushion(u32),
     /// The end of the cushion that holds the ball.
     Release(u32),
+    /// The next cell of the grid, on that side: not an event.
+    Cell(Side),
 }
 
 /// A ball's next event.

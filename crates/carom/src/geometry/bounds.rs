@@ -50,6 +50,13 @@ impl<S: Scalar> Bounds<S> {
         if sides.x > sides.y { sides.x } else { sides.y }
     }
 
+    /// The box around both.
+    pub fn with(mut self, other: &Self) -> Self {
+        self.include(other.min);
+        self.include(other.max);
+        self
+    }
+
     fn include(&mut self, point: Vec2<S>) {
         if point.x < self.min.x {
             self.min.x = point.x;

@@ -66,6 +66,12 @@ impl<S: Scalar> Faces<S> {
         Self { is_room: room.is_some() && all.len() == 4, all, room }
     }
 
+    /// A box around all of them; of an arc around its whole circle.
+    pub fn bounds(&self) -> Bounds<S> {
+        let nothing = Bounds { min: Vec2::ZERO, max: Vec2::ZERO };
+        self.all.iter().map(Face::bounds).reduce(|all, one| all.with(&one)).unwrap_or(nothing)
+    }
+
     /// The faces that are not walls of the room.
     pub fn others(&self) -> &[Face<S>] {
         let walls = if self.room.is_some() { 4 } else { 0 };
