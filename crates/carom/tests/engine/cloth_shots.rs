@@ -246,3 +246,28 @@ fn energy_never_rises_in_strewn_shots() {
         assert!(run.diagnostics.energy_drift <= 1e-12 * scale, "seed {seed}: {:?}", run.diagnostics);
     }
 }
+
+/// Friction holds the balls on each other and the smaller one on the cloth, where each hold leans on the other.
+#[test]
+fn energy_does_not_rise_where_friction_holds_two_balls_and_one_of_them_on_the_cloth() {
+    let run = run(&json!({
+        "max_events": 1,
+        "table": { "preset": "english_pool" },
+        "physics": {
+            "flight": { "law": "cloth", "restitution": 0.0, "friction": 1.0 },
+            "ball_ball": { "law": "mathavan_2014", "normal": 1.0, "friction": 1.0 },
+        },
+        "balls": [
+            { "id": "a", "radius": 0.03425278010748897, "mass": 1.2570362559609929, "sliding_friction": 0.2,
+                "position": [0.1654249177831818, 1.6164376829581304],
+                "velocity": [1.2303310474621918, -1.40916360952688],
+                "spin": [21.73908098111483, 5.424191156897429, 31.75149234743116] },
+            { "id": "b", "radius": 0.020945926856446535, "mass": 0.5050443906394976, "sliding_friction": 1.0,
+                "position": [0.21869174538141084, 1.6107394389596523],
+                "velocity": [-0.03524374493819969, -0.03335300889119509, -0.021373379353292424] },
+        ],
+    }));
+    let found = &run.diagnostics;
+    assert_eq!(run.log.events[0].kind, Kind::BallBall);
+    assert!(found.energy_gain <= 1e-14 * found.initial_energy, "{found:?}");
+}

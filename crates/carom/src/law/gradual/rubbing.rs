@@ -8,6 +8,12 @@ use core::array::from_fn;
 /// Newton steps to the friction of a place that starts to slip.
 const NEWTON_STEPS: usize = 5;
 
+/// Times that frictions which hold each other up are settled again.
+const MOST_ROUNDS: usize = 20;
+
+/// Change of friction, over the normal impulse, up to which it counts as settled.
+const UNSETTLED: f64 = 1e-3;
+
 /// Friction per normal impulse.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rubbing<S, const N: usize> {
@@ -42,8 +48,22 @@ impl<S: Scalar, const N: usize> Surfaces<S, N> {
 
     /// Where the bodies meet, what holds depends on the friction on the cloth, whose load depends on what holds.
     ///
-    /// The dependence is linear, but for a place that starts to slip, so two rounds and Steffensen's step settle it.
+    /// The dependence is linear, but for a place that starts to slip, so two rounds and Steffensen's step settle it; where
+    /// one does, or the load goes, they are made again.
     fn settled(&self, found: Rubbing<S, N>, along: &[Vec2<S>; N], holds: [bool; N]) -> Rubbing<S, N> {
+        let mut settled = self.nearly_settled(found, along, holds);
+        for _ in 0..MOST_ROUNDS {
+            let next = self.round(settled, along, holds);
+            let change = (0..N).fold(S::ZERO, |sum, k| sum + (next.rubs[k] - settled.rubs[k]).norm_squared());
+            if change <= S::from_f64(UNSETTLED * UNSETTLED) {
+                break;
+            }
+            settled = self.nearly_settled(next, along, holds);
+        }
+        settled
+    }
+
+    fn nearly_settled(&self, found: Rubbing<S, N>, along: &[Vec2<S>; N], holds: [bool; N]) -> Rubbing<S, N> {
         let first = self.round(found, along, holds);
         let mut second = self.round(first, along, holds);
         let change = first.rubs[0].y - found.rubs[0].y;
