@@ -20,9 +20,6 @@ use std::sync::Arc;
 /// Events on one ball within the collapse time after which a run is given up.
 const BURST_LIMIT: u32 = 1000;
 
-/// From so many balls on they are looked for in a grid.
-const GRID_FROM: usize = 50;
-
 /// The energy is summed at 2^k events, but not below sixteen: so short a run is summed at its end.
 const AUDIT_MASK: u64 = 15;
 
@@ -167,12 +164,10 @@ impl<S: Scalar> Engine<S> for Discs<S> {
     }
 
     fn comings(&mut self, time: S) -> Vec<Coming<S>> {
-        // What comes after the next cell only a look at all others tells.
+        // Each ball is asked anew, without the grid: what comes after its cell only a look at all others tells, and what
+        // was predicted for the other ball of a pair is not pending for this one.
         let grid = self.grid.take();
-        if grid.is_some() {
-            self.predict_all();
-        }
-        self.refresh();
+        self.predict_all();
         let comings = (0..self.balls.len()).map(|ball| self.coming(ball, time)).collect();
         if grid.is_some() {
             self.grid = grid;
@@ -186,7 +181,7 @@ impl<S: Scalar> Discs<S> {
     fn with(system: Arc<System<S>>, balls: &[(Flight<S>, Track<S>)], time: S) -> Self {
         let ball = |(&(flight, track), &disc)| Ball { flight, disc, track };
         let is_plain = system.field == Vec2::ZERO && !system.has_backs;
-        let is_grid_worth_it = is_plain && balls.len() >= GRID_FROM;
+        let is_grid_worth_it = is_plain && balls.len() >= system.grid_from;
         Self {
             grid: is_grid_worth_it.then(|| Neighbourhood::new(&system, balls, time)).flatten(),
             balls: balls.iter().zip(&system.discs).map(ball).collect(),

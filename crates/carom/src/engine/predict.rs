@@ -258,16 +258,4 @@ impl<S: Scalar> Discs<S> {
             }
         }
     }
-
-    /// Predicts anew where a pending event is stale.
-    pub(super) fn refresh(&mut self) {
-        for ball in 0..self.balls.len() {
-            while let Target::Ball(other, changes) = self.queue.pending(ball).target {
-                if self.balls[other as usize].track.changes == changes {
-                    break;
-                }
-                self.predict(ball);
-            }
-        }
-    }
 }

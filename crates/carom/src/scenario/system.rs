@@ -10,6 +10,9 @@ use crate::law::{ball_ball, ball_cushion};
 use crate::model::{ContactTolerance, Disc, Face, Faces, Line, Table};
 use crate::scalar::Scalar;
 
+/// Fewer balls than these are asked one by one sooner than looked for in a grid.
+const GRID_FROM: usize = 50;
+
 /// Everything the engine needs of a run of discs, with every number in `S` and every name turned into an index.
 ///
 /// Cushions are numbered as the table has them, corners after them.
@@ -41,6 +44,8 @@ pub struct System<S> {
     pub collapse_is_elastic: bool,
     /// The contact tolerance δ.
     pub tolerance: ContactTolerance<S>,
+    /// From so many balls on a grid tells who is near; it changes no bit of a run.
+    pub grid_from: usize,
     /// When to end, if by time.
     pub duration: Option<S>,
     /// The balls' names.
@@ -93,6 +98,7 @@ impl<S: Scalar> System<S> {
             is_lossless: ball_ball.is_lossless() && cushion_laws.iter().all(ball_cushion::Law::is_lossless),
             ball_ball,
             cluster: scenario.physics.cluster(),
+            grid_from: GRID_FROM,
             duration: scenario.duration.map(|value| number(&"duration", value)),
             ball_ids: scenario.balls.iter().map(|ball| ball.id.clone()).collect(),
             cushion_ids: cushion_ids(&table),
