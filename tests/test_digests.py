@@ -1,6 +1,7 @@
 """The package gives the same bits as the engine's own tests."""
 
 import json
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -8,6 +9,13 @@ import pytest
 import carom
 
 GOLDEN = json.loads((Path(__file__).parents[1] / "reference" / "digests.json").read_text(encoding="utf-8"))
+
+
+def test_two_threads_at_once_give_the_golden_digests() -> None:
+    names = list(carom.scenarios())
+    with ThreadPoolExecutor(2) as threads:
+        digests = list(threads.map(lambda name: carom.load(name).run().digest, [*names, *reversed(names)]))
+    assert digests == [GOLDEN["digests"][name]["state"] for name in [*names, *reversed(names)]]
 
 
 @pytest.mark.parametrize("name", carom.scenarios())
