@@ -82,14 +82,7 @@ impl<S: Scalar> Discs<S> {
             return Some(next);
         }
         let offset = detect_ball_in_the_clear(flight, &their.flight, radii, &self.system.tolerance)?;
-        let (start, target) =
-            (flight.later_start(&their.flight), Target::Ball(other as u32, their.track.changes));
-        let is_first = matches!(next.target, Target::Ball(known, _) if start + offset == next.time && (other as u32) < known);
-        if is_first {
-            Some(Pending { offset, target, ..next })
-        } else {
-            Some(next.earlier(start, Some(offset), target))
-        }
+        Some(next.earlier_meeting(flight.later_start(&their.flight), offset, other, their.track.changes))
     }
 
     /// A ball's next event on a flight where every flight is straight, no cushion hides it, and nothing but `struck` is in
@@ -176,17 +169,23 @@ impl<S: Scalar> Discs<S> {
         let radius = self.balls[ball].disc.radius;
         let struck = if let Target::Ball(other, _) = struck { other as usize } else { usize::MAX };
         let mut next = next;
-        for (other, their) in self.balls.iter().enumerate() {
+        let mut meet = |other: usize| {
+            let their = &self.balls[other];
             let radii = radius + their.disc.radius;
             if other == ball || radii == S::ZERO {
-                continue;
+                return;
             }
+            let is_struck = other == struck;
             if let Some(offset) =
-                detect_ball_ball(flight, &their.flight, radii, &system.tolerance, other == struck, seen)
+                detect_ball_ball(flight, &their.flight, radii, &system.tolerance, is_struck, seen)
             {
                 let start = flight.later_start(&their.flight);
-                next = next.earlier(start, Some(offset), Target::Ball(other as u32, their.track.changes));
+                next = next.earlier_meeting(start, offset, other, their.track.changes);
             }
+        };
+        match &self.grid {
+            Some(Neighbourhood { grid, .. }) => grid.near(ball, meet),
+            None => (0..self.balls.len()).for_each(&mut meet),
         }
         next
     }

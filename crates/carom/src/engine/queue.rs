@@ -83,6 +83,18 @@ impl<S: Scalar, A: Aim> Pending<S, A> {
     }
 }
 
+impl<S: Scalar> Pending<S> {
+    /// The meeting with another ball `offset` after `start`, if that comes before this; of two balls at one time that with
+    /// the lower number, in whatever order they are asked.
+    #[inline(always)]
+    pub fn earlier_meeting(self, start: S, offset: S, other: usize, changes: u64) -> Self {
+        let (time, target) = (start + offset, Target::Ball(other as u32, changes));
+        let is_first =
+            matches!(self.target, Target::Ball(known, _) if time == self.time && other < known as usize);
+        if time < self.time || is_first { Self { time, offset, target } } else { self }
+    }
+}
+
 impl<S: Scalar, A: Aim> Queue<S, A> {
     /// A queue of `balls` balls, none of which has an event.
     pub fn new(balls: usize) -> Self {
