@@ -89,29 +89,10 @@ impl<S: Scalar> Engine<S> for Discs<S> {
 
     #[inline(always)]
     fn step(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
-        loop {
-            let (ball, Pending { time, offset, target }) = self.queue.first();
-            if time > limit {
-                return None;
-            }
-            match target {
-                Target::Cushion(cushion) => self.strike_cushion(ball, cushion, time, offset, observer),
-                Target::Ball(other, changes) => {
-                    if self.balls[other as usize].track.changes != changes {
-                        self.diagnostics.stale += 1;
-                        self.predict(ball);
-                        continue;
-                    }
-                    self.strike_ball(ball, other as usize, time, offset, observer);
-                }
-                Target::Release(cushion) => self.release(ball, cushion, time, offset, observer),
-                Target::Cell(side) => {
-                    self.cross(ball, side);
-                    continue;
-                }
-                Target::Nothing => return None,
-            }
-            return Some(time);
+        if self.grid.is_some() {
+            self.step_among_many(limit, observer)
+        } else {
+            self.step_with::<false>(limit, observer)
         }
     }
 
@@ -178,6 +159,42 @@ impl<S: Scalar> Engine<S> for Discs<S> {
 }
 
 impl<S: Scalar> Discs<S> {
+    #[inline(never)]
+    fn step_among_many(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
+        self.step_with::<true>(limit, observer)
+    }
+
+    /// A step; with a grid or without one, so that a few balls pay nothing for what many need.
+    #[inline(always)]
+    fn step_with<const GRID: bool>(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
+        loop {
+            let (ball, Pending { time, offset, target }) = self.queue.first();
+            if time > limit {
+                return None;
+            }
+            match target {
+                Target::Cushion(cushion) => {
+                    self.strike_cushion::<GRID>(ball, cushion, time, offset, observer)
+                }
+                Target::Ball(other, changes) => {
+                    if self.balls[other as usize].track.changes != changes {
+                        self.diagnostics.stale += 1;
+                        self.predict(ball);
+                        continue;
+                    }
+                    self.strike_ball::<GRID>(ball, other as usize, time, offset, observer);
+                }
+                Target::Release(cushion) => self.release(ball, cushion, time, offset, observer),
+                Target::Cell(side) if GRID => {
+                    self.cross(ball, side);
+                    continue;
+                }
+                Target::Nothing | Target::Cell(_) => return None,
+            }
+            return Some(time);
+        }
+    }
+
     fn with(system: Arc<System<S>>, balls: &[(Flight<S>, Track<S>)], time: S) -> Self {
         let ball = |(&(flight, track), &disc)| Ball { flight, disc, track };
         let is_plain = system.field == Vec2::ZERO && !system.has_backs;

@@ -32,7 +32,12 @@ impl<S: Scalar> Discs<S> {
     /// Finds a ball's next event when nothing has just happened to it.
     pub(super) fn predict(&mut self, ball: usize) {
         let flight = self.balls[ball].flight;
-        match self.next_in_the_clear(ball, &flight, Target::Nothing) {
+        let next = if self.grid.is_some() {
+            self.next_in_the_clear::<true>(ball, &flight, Target::Nothing)
+        } else {
+            self.next_in_the_clear::<false>(ball, &flight, Target::Nothing)
+        };
+        match next {
             Some(next) => self.schedule(ball, next),
             None => {
                 self.predict_near(ball, Target::Nothing);
@@ -40,21 +45,38 @@ impl<S: Scalar> Discs<S> {
         }
     }
 
-    #[inline(always)]
+    /// Makes a ball's next event pending.
     pub(super) fn schedule(&mut self, ball: usize, next: Pending<S>) {
-        self.diagnostics.predictions += 1;
-        match &mut self.grid {
-            None => self.queue.set(ball, next),
-            Some(Neighbourhood { grid, meetings }) => {
-                meetings[ball] = next;
-                let flight = &self.balls[ball].flight;
-                let (offset, side) = grid.way_out(ball, flight);
-                self.queue.set(ball, next.earlier(flight.start, Some(offset), Target::Cell(side)));
-            }
+        if self.grid.is_some() {
+            self.schedule_with::<true>(ball, next);
+        } else {
+            self.schedule_with::<false>(ball, next);
         }
     }
 
+    /// The same where it is known whether there is a grid.
+    #[inline(always)]
+    pub(super) fn schedule_with<const GRID: bool>(&mut self, ball: usize, next: Pending<S>) {
+        self.diagnostics.predictions += 1;
+        if GRID {
+            self.schedule_in_cell(ball, next);
+        } else {
+            self.queue.set(ball, next);
+        }
+    }
+
+    /// Schedules a ball's event, or that it leaves its cell before.
+    #[inline(always)]
+    fn schedule_in_cell(&mut self, ball: usize, next: Pending<S>) {
+        let Some(Neighbourhood { grid, meetings }) = &mut self.grid else { return };
+        meetings[ball] = next;
+        let flight = &self.balls[ball].flight;
+        let (offset, side) = grid.way_out(ball, flight);
+        self.queue.set(ball, next.earlier(flight.start, Some(offset), Target::Cell(side)));
+    }
+
     /// A ball comes into the next cell: only what is in those that have come near can be new to it.
+    #[inline(never)]
     pub(super) fn cross(&mut self, ball: usize, side: Side) {
         let Some(Neighbourhood { grid, meetings }) = &mut self.grid else { return };
         grid.cross(ball, side);
@@ -88,7 +110,7 @@ impl<S: Scalar> Discs<S> {
     /// A ball's next event on a flight where every flight is straight, no cushion hides it, and nothing but `struck` is in
     /// touch; `None` otherwise. The answer is that of [`Self::predict_near`], but quicker.
     #[inline(always)]
-    pub(super) fn next_in_the_clear(
+    pub(super) fn next_in_the_clear<const GRID: bool>(
         &self,
         ball: usize,
         flight: &Flight<S>,
@@ -107,18 +129,42 @@ impl<S: Scalar> Discs<S> {
         let (cushion, offset) =
             detect_cushion_in_the_clear(flight, disc.radius, &system.faces, tolerance, struck_cushion)?;
         let target = if offset < S::INFINITY { Target::Cushion(cushion as u32) } else { Target::Nothing };
-        let mut next = Some(Pending { time: flight.start + offset, offset, target });
-        if let Some(Neighbourhood { grid, .. }) = &self.grid {
-            grid.near(ball, |other| {
-                if other != ball && other != struck_ball {
-                    next = next.and_then(|next| self.sooner(ball, flight, other, next));
-                }
-            });
-            return next;
+        let mut next = Pending { time: flight.start + offset, offset, target };
+        if GRID {
+            return self.next_of_near(ball, flight, struck_ball, next);
         }
-        for other in (0..self.balls.len()).filter(|&other| other != ball && other != struck_ball) {
-            next = Some(self.sooner(ball, flight, other, next?)?);
+        for other in 0..self.balls.len() {
+            if other == ball || other == struck_ball {
+                continue;
+            }
+            let their = &self.balls[other];
+            let radii = disc.radius + their.disc.radius;
+            if radii == S::ZERO {
+                continue;
+            }
+            let offset = detect_ball_in_the_clear(flight, &their.flight, radii, &system.tolerance)?;
+            let target = Target::Ball(other as u32, their.track.changes);
+            next = next.earlier(flight.later_start(&their.flight), Some(offset), target);
         }
+        Some(next)
+    }
+
+    /// The same of the balls that the grid has near.
+    #[inline(always)]
+    fn next_of_near(
+        &self,
+        ball: usize,
+        flight: &Flight<S>,
+        struck: usize,
+        next: Pending<S>,
+    ) -> Option<Pending<S>> {
+        let Neighbourhood { grid, .. } = self.grid.as_ref()?;
+        let mut next = Some(next);
+        grid.near(ball, |other| {
+            if other != ball && other != struck {
+                next = next.and_then(|next| self.sooner(ball, flight, other, next));
+            }
+        });
         next
     }
 

@@ -45,7 +45,7 @@ struct Collision<S> {
 impl<S: Scalar> Discs<S> {
     /// A ball meets a cushion.
     #[inline(always)]
-    pub(super) fn strike_cushion(
+    pub(super) fn strike_cushion<const GRID: bool>(
         &mut self,
         ball: usize,
         cushion: u32,
@@ -55,9 +55,9 @@ impl<S: Scalar> Discs<S> {
     ) {
         let bounce = self.bounce(ball, cushion, time, offset);
         let flight = self.free_flight(time, bounce.after());
-        if let Some(next) = self.next_in_the_clear(ball, &flight, Target::Cushion(cushion)) {
+        if let Some(next) = self.next_in_the_clear::<GRID>(ball, &flight, Target::Cushion(cushion)) {
             self.begin_flight(ball, flight);
-            self.schedule(ball, next);
+            self.schedule_with::<GRID>(ball, next);
             self.note_bounce(&bounce);
             self.emit(&bounce.event(), observer);
             observer.flight(ball, &flight);
@@ -131,7 +131,7 @@ impl<S: Scalar> Discs<S> {
 
     /// Two balls meet.
     #[inline(never)]
-    pub(super) fn strike_ball(
+    pub(super) fn strike_ball<const GRID: bool>(
         &mut self,
         ball: usize,
         other: usize,
@@ -142,12 +142,12 @@ impl<S: Scalar> Discs<S> {
         let [a, b] = if ball < other { [ball, other] } else { [other, ball] };
         let collision = self.collision([a, b], time, offset);
         let [flight_a, flight_b] = collision.after().map(|state| self.free_flight(time, state));
-        let next_a = self.next_in_the_clear(a, &flight_a, Target::Ball(b as u32, 0));
-        let next_b = self.next_in_the_clear(b, &flight_b, Target::Ball(a as u32, 0));
+        let next_a = self.next_in_the_clear::<GRID>(a, &flight_a, Target::Ball(b as u32, 0));
+        let next_b = self.next_in_the_clear::<GRID>(b, &flight_b, Target::Ball(a as u32, 0));
         if let (Some(next_a), Some(next_b)) = (next_a, next_b) {
             for (ball, flight, next) in [(a, flight_a, next_a), (b, flight_b, next_b)] {
                 self.begin_flight(ball, flight);
-                self.schedule(ball, next);
+                self.schedule_with::<GRID>(ball, next);
             }
             self.note_collision(&collision);
             self.emit(&collision.event(), observer);
