@@ -77,6 +77,8 @@ fn a_grid_changes_no_bit() {
         let (with, without) = (run(&scenario, 0), run(&scenario, NEVER));
         assert_same_events(&with.log.events, &without.log.events, &name);
         assert_same_run(&with, &without, &name);
+        // Who comes into another cell is predicted once more: there was a grid.
+        assert!(with.diagnostics.predictions > without.diagnostics.predictions, "{name}");
         events += with.log.events.len();
     }
     assert!(events > 30_000, "{events}");
