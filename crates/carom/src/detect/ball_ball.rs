@@ -8,7 +8,9 @@ use crate::roots::{Polynomial, first_contact};
 use crate::scalar::Scalar;
 
 /// Two flights seen from a common moment, the later of their starts: the second ball relative to the first.
-struct Relative<S> {
+pub struct Relative<S> {
+    /// That moment.
+    pub start: S,
     position: Vec2<S>,
     velocity: Vec2<S>,
     /// The velocities that this is the difference of.
@@ -16,23 +18,27 @@ struct Relative<S> {
 }
 
 impl<S: Scalar> Relative<S> {
+    /// Two straight flights, the second seen elsewhere by `shift` than it says, on the other side of a periodic table.
     #[inline(always)]
-    fn straight(a: &Flight<S>, b: &Flight<S>) -> Self {
+    pub fn straight(a: &Flight<S>, b: &Flight<S>, shift: Option<Vec2<S>>) -> Self {
         let start = a.later_start(b);
         let (after_a, after_b) = (start - a.start, start - b.start);
+        let position = (b.position + b.velocity * after_b) - (a.position + a.velocity * after_a);
         Self {
-            position: (b.position + b.velocity * after_b) - (a.position + a.velocity * after_a),
+            start,
+            position: shifted(position, shift),
             velocity: b.velocity - a.velocity,
             speeds: [a.velocity, b.velocity],
         }
     }
 
-    fn new(a: &Flight<S>, b: &Flight<S>) -> Self {
+    fn new(a: &Flight<S>, b: &Flight<S>, shift: Option<Vec2<S>>) -> Self {
         let start = a.later_start(b);
         let (after_a, after_b) = (start - a.start, start - b.start);
         let (velocity_a, velocity_b) = (a.velocity_after(after_a), b.velocity_after(after_b));
         Self {
-            position: b.position_after(after_b) - a.position_after(after_a),
+            start,
+            position: shifted(b.position_after(after_b) - a.position_after(after_a), shift),
             velocity: velocity_b - velocity_a,
             speeds: [velocity_a, velocity_b],
         }
@@ -40,28 +46,53 @@ impl<S: Scalar> Relative<S> {
 
     /// The gap as a polynomial sees it: `|Δ|² − r²`.
     #[inline(always)]
-    fn squared_gap(&self, radii: S) -> S {
+    pub fn squared_gap(&self, radii: S) -> S {
         self.position.norm_squared() - radii.squared()
+    }
+
+    /// The offset at which two balls in straight flight meet that are as far apart as `gap` says, which is positive; infinite
+    /// for a miss.
+    ///
+    /// `s = c / (−b + √D)` is free of cancellation as `b < 0`. `D = |w|² r² − (Δ × w)²` instead of `b² − |w|² c`: the two are
+    /// equal, but this one keeps its accuracy in a graze from far away.
+    #[inline(always)]
+    pub fn meeting(&self, gap: S, radii: S) -> S {
+        let slope = self.position.dot(self.velocity);
+        if slope >= S::ZERO {
+            return S::INFINITY;
+        }
+        let miss = self.position.cross(self.velocity);
+        let discriminant = self.velocity.norm_squared() * radii.squared() - miss.squared();
+        if discriminant > S::ZERO { gap / (discriminant.sqrt() - slope) } else { S::INFINITY }
+    }
+}
+
+/// The second of two balls seen elsewhere; as it is where it is not, and not even zero is added.
+#[inline(always)]
+fn shifted<S: Scalar>(position: Vec2<S>, shift: Option<Vec2<S>>) -> Vec2<S> {
+    match shift {
+        Some(shift) => position + shift,
+        None => position,
     }
 }
 
 /// The offset, from the later start of the two flights, at which two balls meet; `None` when they never do.
 ///
 /// `radii` is the sum of the radii, which must be positive. Notes contact (unless they have just been `struck`) and overlap
-/// at the start in `seen`.
+/// at the start in `seen`. On a periodic table the second ball may be seen elsewhere, by a `shift`, than its flight says.
 pub fn detect_ball_ball<S: Scalar>(
-    a: &Flight<S>,
-    b: &Flight<S>,
+    [a, b]: [&Flight<S>; 2],
+    shift: Option<Vec2<S>>,
     radii: S,
     tolerance: &ContactTolerance<S>,
     struck: bool,
     seen: &mut Surroundings<S>,
 ) -> Option<S> {
-    let relative = Relative::new(a, b);
+    let relative = Relative::new(a, b, shift);
     let gap = relative.squared_gap(radii);
     let tolerance = squared_tolerance(tolerance, radii);
     if gap > tolerance && a.acceleration == b.acceleration {
-        let offset = straight_meeting(&relative, gap, radii);
+        let offset = relative.meeting(gap, radii);
         return (offset < S::INFINITY).then_some(offset);
     }
     let tolerance = tolerance + rounding_of_time(a, b, &relative, radii);
@@ -80,14 +111,14 @@ pub fn detect_ball_in_the_clear<S: Scalar>(
     radii: S,
     tolerance: &ContactTolerance<S>,
 ) -> Option<S> {
-    let relative = Relative::straight(a, b);
+    let relative = Relative::straight(a, b, None);
     let gap = relative.squared_gap(radii);
-    (gap > squared_tolerance(tolerance, radii)).then(|| straight_meeting(&relative, gap, radii))
+    (gap > squared_tolerance(tolerance, radii)).then(|| relative.meeting(gap, radii))
 }
 
 /// The contact tolerance of the squared gap: `(r + δ)² − r²`, to first order `2 r δ`.
 #[inline(always)]
-fn squared_tolerance<S: Scalar>(tolerance: &ContactTolerance<S>, radii: S) -> S {
+pub fn squared_tolerance<S: Scalar>(tolerance: &ContactTolerance<S>, radii: S) -> S {
     S::from_f64(2.0) * radii * tolerance.of(radii)
 }
 
@@ -123,21 +154,6 @@ fn detect_near<S: Scalar>(
         gap.coefficients[1] = slope_of_gap - slope_of_gap.detached();
     }
     first_contact(&gap, tolerance, |_| true)
-}
-
-/// Straight relative motion from apart: `s = c / (−b + √D)`, free of cancellation as `b < 0`; infinite for a miss.
-///
-/// `D = |w|² r² − (Δ × w)²` instead of `b² − |w|² c`: the two are equal, but this one keeps its accuracy in a graze
-/// from far away.
-#[inline(always)]
-fn straight_meeting<S: Scalar>(relative: &Relative<S>, gap: S, radii: S) -> S {
-    let slope = relative.position.dot(relative.velocity);
-    if slope >= S::ZERO {
-        return S::INFINITY;
-    }
-    let miss = relative.position.cross(relative.velocity);
-    let discriminant = relative.velocity.norm_squared() * radii.squared() - miss.squared();
-    if discriminant > S::ZERO { gap / (discriminant.sqrt() - slope) } else { S::INFINITY }
 }
 
 /// The squared gap `|Δ + w s + k s²|² − r²` with `k` half the relative acceleration, in the plane or in space.

@@ -7,7 +7,7 @@ mod ball_ball;
 mod ball_cushion;
 mod sphere;
 
-pub use ball_ball::{detect_ball_ball, detect_ball_in_the_clear};
+pub use ball_ball::{Relative, detect_ball_ball, detect_ball_in_the_clear, squared_tolerance};
 pub use ball_cushion::{
     cushion_gap, detect_ball_cushion, detect_cushion_in_the_clear, detect_from_behind, detect_release,
 };

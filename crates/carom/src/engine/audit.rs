@@ -6,10 +6,11 @@ use crate::flight::State;
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Discs<S> {
-    /// Position and velocity of a ball at a time not before its last event.
+    /// Position and velocity of a ball at a time not before its last event; on a periodic table in its first image.
     pub fn state_at(&self, ball: usize, time: S) -> State<S> {
-        let flight = &self.balls[ball].flight;
-        flight.state_after(time - flight.start)
+        let flight = self.flight(ball);
+        let State { position, velocity } = flight.state_after(time - flight.start);
+        State { position: self.system.wrapped(position, self.balls[ball].rounds), velocity }
     }
 
     /// Energy of all balls: kinetic, and potential in the field.
@@ -18,7 +19,7 @@ impl<S: Scalar> Discs<S> {
         for ball in 0..self.balls.len() {
             let State { position, velocity } = self.state_at(ball, time);
             let kinetic = S::from_f64(0.5) * velocity.norm_squared();
-            sum += self.balls[ball].disc.mass * (kinetic - self.system.field.dot(position));
+            sum += self.system.discs[ball].mass * (kinetic - self.system.field.dot(position));
         }
         sum.to_f64()
     }

@@ -1,51 +1,39 @@
 //! The state of the discs, and the one primitive: make the earliest event happen.
 //!
 //! One event is pending for each disc. The only thing that makes it stale is a change of its partner's course, which the
-//! partner's counter tells; nobody hunts for third parties.
+//! partner's counter tells; nobody hunts for third parties. A few discs are asked one by one and play a tournament for who
+//! is first; many have a grid and a calendar. Neither changes a bit of a run.
 
-use super::grid::Grid;
+use super::ball::{Ball, Rest};
 use super::interface::{Engine, Fault};
+use super::many::Many;
 use super::queue::{Pending, Queue, Target};
 use super::simulation::Coming;
 use crate::detect::cushion_gap;
 use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::{ball_ball, ball_cushion};
-use crate::model::Disc;
 use crate::run::{Diagnostics, Event, Kind, Observer, Plane, Run, Track};
 use crate::scalar::Scalar;
 use crate::scenario::System;
 use std::sync::Arc;
 
-/// Events on one ball within the collapse time after which a run is given up.
-const BURST_LIMIT: u32 = 1000;
+/// Changes of course of one ball within the collapse time after which a run is given up: a power of two.
+const BURST_LIMIT: u32 = 1024;
 
 /// The energy is summed at 2^k events, but not below sixteen: so short a run is summed at its end.
 const AUDIT_MASK: u64 = 15;
-
-/// A ball under way.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Ball<S> {
-    pub(super) flight: Flight<S>,
-    pub(super) disc: Disc<S>,
-    pub(super) track: Track<S>,
-}
-
-/// Where balls are, and for each what it meets next if that comes before it leaves its cell.
-#[derive(Clone, Debug)]
-pub(super) struct Neighbourhood<S> {
-    pub(super) grid: Grid<S>,
-    pub(super) meetings: Vec<Pending<S>>,
-}
 
 /// The state of the discs: everything that changes during a run.
 #[derive(Clone, Debug)]
 pub struct Discs<S> {
     pub(super) system: Arc<System<S>>,
     pub(super) balls: Vec<Ball<S>>,
+    pub(super) rest: Vec<Rest<S>>,
+    /// What comes first, of a few balls.
     pub(super) queue: Queue<S>,
-    /// Who is near whom, where there are many.
-    pub(super) grid: Option<Neighbourhood<S>>,
+    /// What comes first of many, and who is near whom.
+    pub(super) many: Option<Many<S>>,
     pub(super) diagnostics: Diagnostics,
     /// All events so far.
     pub(super) events: u64,
@@ -77,22 +65,17 @@ impl<S: Scalar> Engine<S> for Discs<S> {
     }
 
     fn reset(&mut self, observer: &mut impl Observer<S>) {
-        for (ball, flight) in self.balls.iter_mut().zip(&self.system.flights) {
-            (ball.flight, ball.track) = (*flight, Track::new());
-        }
-        if let Some(Neighbourhood { grid, .. }) = &mut self.grid {
-            let places: Vec<_> = self.system.flights.iter().map(|flight| flight.position).collect();
-            grid.fill(&places);
-        }
+        let start: Vec<_> = self.system.flights.iter().map(|&flight| (flight, Track::new())).collect();
+        self.put(&start, S::ZERO);
         self.begin(observer);
     }
 
     #[inline(always)]
     fn step(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
-        if self.grid.is_some() {
+        if self.many.is_some() {
             self.step_among_many(limit, observer)
         } else {
-            self.step_with::<false>(limit, observer)
+            self.step_among_few(limit, observer)
         }
     }
 
@@ -124,20 +107,25 @@ impl<S: Scalar> Engine<S> for Discs<S> {
     }
 
     fn ball(&self, ball: usize) -> (Flight<S>, Track<S>) {
-        (self.balls[ball].flight, self.balls[ball].track)
+        let (line, mut track) = (&self.balls[ball], self.rest[ball].track);
+        track.changes = line.changes;
+        if self.is_plain && !self.system.collapse_is_elastic && line.changes > 0 {
+            track.last_contact = line.start;
+        }
+        (self.flight(ball), track)
     }
 
     fn is_at_rest(&self) -> bool {
-        self.balls.iter().all(|ball| ball.flight.is_rest())
+        (0..self.balls.len()).all(|ball| self.flight(ball).is_rest())
     }
 
     fn is_slower_than(&self, latest: S) -> bool {
         let size = self.system.tolerance.table_size();
-        self.balls.iter().all(|ball| ball.flight.is_rest_within(size, latest))
+        (0..self.balls.len()).all(|ball| self.flight(ball).is_rest_within(size, latest))
     }
 
     fn moving_ball(&self) -> Option<usize> {
-        self.balls.iter().position(|ball| !ball.flight.is_rest())
+        (0..self.balls.len()).position(|ball| !self.flight(ball).is_rest())
     }
 
     fn audit(&mut self, time: S) {
@@ -147,62 +135,70 @@ impl<S: Scalar> Engine<S> for Discs<S> {
     fn comings(&mut self, time: S) -> Vec<Coming<S>> {
         // Each ball is asked anew, without the grid: what comes after its cell only a look at all others tells, and what
         // was predicted for the other ball of a pair is not pending for this one.
-        let grid = self.grid.take();
-        self.predict_all();
-        let comings = (0..self.balls.len()).map(|ball| self.coming(ball, time)).collect();
-        if grid.is_some() {
-            self.grid = grid;
-            self.predict_all();
-        }
-        comings
+        let coming = |ball| self.coming(ball, self.next_of_all(ball), time);
+        (0..self.balls.len()).map(coming).collect()
     }
 }
 
 impl<S: Scalar> Discs<S> {
-    #[inline(never)]
-    fn step_among_many(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
-        self.step_with::<true>(limit, observer)
-    }
-
-    /// A step; with a grid or without one, so that a few balls pay nothing for what many need.
     #[inline(always)]
-    fn step_with<const GRID: bool>(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
+    fn step_among_few(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
         loop {
-            let (ball, Pending { time, offset, target }) = self.queue.first();
-            if time > limit {
+            let (ball, pending) = self.queue.first();
+            if pending.time > limit || pending.target == Target::Nothing {
                 return None;
             }
-            match target {
-                Target::Cushion(cushion) => {
-                    self.strike_cushion::<GRID>(ball, cushion, time, offset, observer)
-                }
-                Target::Ball(other, changes) => {
-                    if self.balls[other as usize].track.changes != changes {
-                        self.diagnostics.stale += 1;
-                        self.predict(ball);
-                        continue;
-                    }
-                    self.strike_ball::<GRID>(ball, other as usize, time, offset, observer);
-                }
-                Target::Release(cushion) => self.release(ball, cushion, time, offset, observer),
-                Target::Cell(side) if GRID => {
-                    self.cross(ball, side);
-                    continue;
-                }
-                Target::Nothing | Target::Cell(_) => return None,
+            if self.strike::<false>(ball, pending, observer) {
+                return Some(pending.time);
             }
-            return Some(time);
         }
     }
 
+    #[inline(never)]
+    fn step_among_many(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
+        loop {
+            let ball = self.first_of_many(limit)?;
+            let pending = self.many.as_ref()?.calendar.awaited(ball).meeting;
+            if self.strike::<true>(ball, pending, observer) {
+                return Some(pending.time);
+            }
+        }
+    }
+
+    /// Makes what is pending for a ball happen, unless its partner has changed its course meanwhile: then the ball's next
+    /// event is found anew.
+    #[inline(always)]
+    fn strike<const MANY: bool>(
+        &mut self,
+        ball: usize,
+        Pending { time, offset, target }: Pending<S>,
+        observer: &mut impl Observer<S>,
+    ) -> bool {
+        match target {
+            Target::Cushion(cushion) => self.strike_cushion::<MANY>(ball, cushion, time, offset, observer),
+            Target::Ball(other, changes) => {
+                if self.balls[other as usize].changes != changes {
+                    self.diagnostics.stale += 1;
+                    self.predict(ball);
+                    return false;
+                }
+                self.strike_ball::<MANY>(ball, other as usize, time, offset, observer);
+            }
+            Target::Release(cushion) => self.release(ball, cushion, time, offset, observer),
+            Target::Nothing => return false,
+        }
+        true
+    }
+
     fn with(system: Arc<System<S>>, balls: &[(Flight<S>, Track<S>)], time: S) -> Self {
-        let ball = |(&(flight, track), &disc)| Ball { flight, disc, track };
         let is_plain = system.field == Vec2::ZERO && !system.has_backs;
         let is_grid_worth_it = is_plain && balls.len() >= system.grid_from;
-        Self {
-            grid: is_grid_worth_it.then(|| Neighbourhood::new(&system, balls, time)).flatten(),
-            balls: balls.iter().zip(&system.discs).map(ball).collect(),
-            queue: Queue::new(balls.len()),
+        let many = is_grid_worth_it || system.is_periodic();
+        let mut discs = Self {
+            many: if many { Many::new(&system) } else { None },
+            balls: Vec::with_capacity(balls.len()),
+            rest: Vec::with_capacity(balls.len()),
+            queue: Queue::new(0),
             diagnostics: Diagnostics::default(),
             events: 0,
             energy_at_start: 0.0,
@@ -210,6 +206,24 @@ impl<S: Scalar> Discs<S> {
             is_plain,
             fault: None,
             system,
+        };
+        if discs.many.is_none() {
+            discs.queue = Queue::new(balls.len());
+        }
+        discs.put(balls, time);
+        discs
+    }
+
+    /// Puts the balls where their flights have brought them by a time.
+    fn put(&mut self, balls: &[(Flight<S>, Track<S>)], time: S) {
+        self.balls.clear();
+        self.rest.clear();
+        for (number, ((flight, track), disc)) in balls.iter().zip(&self.system.discs).enumerate() {
+            self.balls.push(Ball::new(number, disc.radius, flight, track.changes));
+            self.rest.push(Rest { acceleration: flight.acceleration, track: *track });
+        }
+        if let Some(many) = &mut self.many {
+            many.put(&mut self.balls, time);
         }
     }
 
@@ -218,21 +232,21 @@ impl<S: Scalar> Discs<S> {
         self.diagnostics = Diagnostics { initial_energy, final_energy, ..Diagnostics::default() };
         (self.events, self.fault) = (0, None);
         self.predict_all();
-        for (place, ball) in self.balls.iter().enumerate() {
-            observer.flight(place, &ball.flight);
+        for ball in 0..self.balls.len() {
+            observer.flight(ball, &self.seen_flight(ball));
         }
     }
 
-    /// What a ball's pending event is.
-    fn coming(&self, ball: usize, now: S) -> Coming<S> {
-        let pending = self.queue.pending(ball);
+    /// What a ball's next event is.
+    fn coming(&self, ball: usize, pending: Pending<S>, now: S) -> Coming<S> {
         let position = self.state_at(ball, now).position;
-        let radius = self.balls[ball].disc.radius;
+        let radius = self.balls[ball].radius;
         let (kind, other, cushion, gap) = match pending.target {
-            Target::Nothing | Target::Cell(_) => (None, None, None, None),
+            Target::Nothing => (None, None, None, None),
             Target::Ball(other, _) => {
-                let distance = (self.state_at(other as usize, now).position - position).norm();
-                let gap = distance - radius - self.balls[other as usize].disc.radius;
+                let away = self.state_at(other as usize, now).position - position;
+                let distance = self.system.shortest(away).norm();
+                let gap = distance - radius - self.balls[other as usize].radius;
                 (Some(Kind::BallBall), Some(other), None, Some(gap))
             }
             Target::Cushion(cushion) => {
@@ -250,34 +264,72 @@ impl<S: Scalar> Discs<S> {
         Flight { start, position, velocity, acceleration: self.system.field }
     }
 
+    /// A ball's flight; on a periodic table its place is that in the first image of the table at its start.
+    #[inline(always)]
+    pub(super) fn flight(&self, ball: usize) -> Flight<S> {
+        let flight = self.balls[ball].straight_flight();
+        if self.is_plain { flight } else { Flight { acceleration: self.rest[ball].acceleration, ..flight } }
+    }
+
+    /// The same as an observer sees it: on a periodic table with all the way that the ball has gone.
+    #[inline(always)]
+    pub(super) fn seen_flight(&self, ball: usize) -> Flight<S> {
+        let flight = self.flight(ball);
+        if self.many.is_none() { flight } else { self.system.unwrapped(&flight, self.rest[ball].track.image) }
+    }
+
     /// Starts a ball's new flight, free of any cushion that held it.
     #[inline(always)]
     pub(super) fn begin_flight(&mut self, ball: usize, flight: Flight<S>) {
-        let ball = &mut self.balls[ball];
-        ball.flight = flight;
-        ball.track.changes += 1;
-        ball.track.held_by = [None; 2];
-    }
-
-    /// Notes that a ball had an event, which for a ball whose events follow each other too fast is a fault.
-    #[inline(always)]
-    pub(super) fn note_contact(&mut self, ball: usize, time: S) {
-        let track = &mut self.balls[ball].track;
-        track.last_contact = time;
-        track.burst += 1;
-        if track.burst > BURST_LIMIT {
-            self.end_burst(ball, time);
+        let line = &mut self.balls[ball];
+        (line.start, line.position, line.velocity) = (flight.start, flight.position, flight.velocity);
+        line.changes = line.changes.wrapping_add(1);
+        let (changes, rounds) = (line.changes, line.rounds);
+        if changes & (BURST_LIMIT - 1) == 0 {
+            self.end_burst(ball, flight.start);
+        }
+        if rounds != [0; 2] {
+            self.keep_rounds(ball);
+        }
+        if !self.is_plain {
+            let rest = &mut self.rest[ball];
+            rest.acceleration = flight.acceleration;
+            rest.track.held_by = [None; 2];
         }
     }
 
-    /// Begins to count a ball's events anew: so many within the collapse time were too many.
+    /// Keeps how often a ball has gone round the table on the flight that ends: it begins the next one in the first image.
+    #[cold]
+    fn keep_rounds(&mut self, ball: usize) {
+        let (line, track) = (&mut self.balls[ball], &mut self.rest[ball].track);
+        for (image, rounds) in track.image.iter_mut().zip(&mut line.rounds) {
+            *image = image.wrapping_add(i32::from(core::mem::take(rounds)));
+        }
+    }
+
+    /// Lays a ball's flight on a cushion: the flight that has just begun is not the one it goes on with.
+    pub(super) fn lay_flight(&mut self, ball: usize, flight: &Flight<S>) {
+        let line = &mut self.balls[ball];
+        (line.start, line.position, line.velocity) = (flight.start, flight.position, flight.velocity);
+        self.rest[ball].acceleration = flight.acceleration;
+    }
+
+    /// Notes that a ball had a contact, where that is not just where its flight began, or the laws ask for it.
+    #[inline(always)]
+    pub(super) fn note_contact(&mut self, ball: usize, time: S) {
+        if !self.is_plain || self.system.collapse_is_elastic {
+            self.rest[ball].track.last_contact = time;
+        }
+    }
+
+    /// Begins to count a ball's changes of course anew: so many within the collapse time were too many, which is a fault.
     #[cold]
     fn end_burst(&mut self, ball: usize, time: S) {
-        let track = &mut self.balls[ball].track;
+        let track = &mut self.rest[ball].track;
         if time - track.burst_start <= self.system.collapse_times[ball] {
             self.fault = Some(Fault::Collapse(ball as u32));
         }
-        (track.burst_start, track.burst) = (time, 0);
+        track.burst_start = time;
     }
 
     #[inline(always)]
@@ -326,20 +378,6 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     fn is_in_burst(&self, ball: usize, time: S) -> bool {
         self.system.collapse_is_elastic
-            && time - self.balls[ball].track.last_contact < self.system.collapse_times[ball]
-    }
-}
-
-impl<S: Scalar> Neighbourhood<S> {
-    fn new(system: &System<S>, balls: &[(Flight<S>, Track<S>)], time: S) -> Option<Self> {
-        let bounds = system.faces.bounds();
-        let diameter = system
-            .discs
-            .iter()
-            .fold(S::ZERO, |most, disc| if disc.radius > most { disc.radius } else { most });
-        let places: Vec<_> =
-            balls.iter().map(|(flight, _)| flight.position_after(time - flight.start)).collect();
-        let grid = Grid::new(&bounds, diameter + diameter, &places)?;
-        Some(Self { grid, meetings: vec![Pending::NEVER; balls.len()] })
+            && time - self.rest[ball].track.last_contact < self.system.collapse_times[ball]
     }
 }

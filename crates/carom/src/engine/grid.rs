@@ -2,20 +2,31 @@
 //!
 //! A cell is no smaller than two balls, so whatever a ball meets before it leaves its cell is in the nine cells around.
 //! To leave a cell is nothing that happens to a ball: no flight and no counter changes, so a run has the same bits with
-//! the grid as without it.
+//! any grid as without one. On a periodic axis the last cells lie beside the first ones, and who goes through there has
+//! gone round the table once more.
 
-use crate::flight::Flight;
+use super::ball::Ball;
+use super::simd::fetch;
 use crate::geometry::{Bounds, Vec2};
 use crate::scalar::Scalar;
-
-/// Nobody: the end of a cell's list.
-const NOBODY: u32 = u32::MAX;
 
 /// Fewer cells than these are not worth having.
 const FEWEST_CELLS: f64 = 25.0;
 
+/// Fewer cells than these along a periodic axis would lie on both sides of a ball.
+pub const FEWEST_ROUND: f64 = 3.0;
+
+/// As many cells as one number of a ball's line can tell.
+const MOST_CELLS: f64 = 65_535.0;
+
 /// A cell is larger than two balls by this part of them, which no rounding of a place comes near.
 const SLACK: f64 = 1e-6;
+
+/// Places in a cell for a start; a full cell makes all of them twice as large.
+const FEW: usize = 4;
+
+/// Beyond this many rounds a flight begins anew at the side of the table: they are counted in few bits.
+pub const MOST_ROUNDS: i16 = 1 << 14;
 
 /// A side of a cell, through which a ball leaves it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,165 +45,303 @@ pub enum Side {
 #[derive(Clone, Debug)]
 pub struct Grid<S> {
     lower: Vec2<S>,
+    /// Of the table; what an axis is long.
+    extent: Vec2<S>,
+    /// Of a cell.
     size: Vec2<S>,
     /// Columns and rows.
     count: [usize; 2],
-    /// The first ball of each cell, row by row.
-    first: Vec<u32>,
-    /// The next ball in each ball's cell.
-    next: Vec<u32>,
-    /// The column and the row of each ball's cell.
-    cells: Vec<[u32; 2]>,
+    periodic: [bool; 2],
+    /// Places in each cell.
+    places: usize,
+    /// The balls of each cell, row by row, `places` for each.
+    balls: Vec<u32>,
+    /// How many are in each.
+    filled: Vec<u32>,
+}
+
+/// Some columns, or rows, that lie beside each other, each with how often one has gone round the table to be there.
+#[derive(Clone, Copy, Debug)]
+struct Strip {
+    cells: [(usize, i32); 3],
+    count: usize,
+}
+
+/// Cells that lie together.
+#[derive(Clone, Copy, Debug)]
+pub struct Window {
+    columns: Strip,
+    rows: Strip,
+    /// Whether none of them is on the other side of the table, and none is missing.
+    pub is_inside: bool,
+}
+
+impl Side {
+    /// Whether it is across x, and whether it is towards larger numbers.
+    fn axis(self) -> (usize, bool) {
+        match self {
+            Self::Left => (0, false),
+            Self::Right => (0, true),
+            Self::Below => (1, false),
+            Self::Above => (1, true),
+        }
+    }
 }
 
 impl<S: Scalar> Grid<S> {
-    /// Cells for balls of up to a diameter inside some bounds, about one for each ball; `None` where they would be too few.
-    pub fn new(bounds: &Bounds<S>, diameter: S, places: &[Vec2<S>]) -> Option<Self> {
+    /// Cells for `balls` balls of up to a diameter inside some bounds, about one for each ball; `None` where they would be too
+    /// few.
+    pub fn new(bounds: &Bounds<S>, diameter: S, balls: usize, periodic: [bool; 2]) -> Option<Self> {
         let extent = bounds.max - bounds.min;
         let [width, height] = [extent.x.to_f64(), extent.y.to_f64()];
-        let room_for_one = (width * height / places.len() as f64).sqrt();
-        let least = (diameter.to_f64() * (1.0 + SLACK)).max(room_for_one);
-        let [columns, rows] = [width, height].map(|length| (length / least).floor().max(1.0));
-        if least <= 0.0 || columns * rows < FEWEST_CELLS {
+        let room_for_one = (width * height / balls.max(1) as f64).sqrt();
+        let least = diameter.to_f64() * (1.0 + SLACK);
+        let wanted = least.max(room_for_one);
+        let along = |length: f64, is_periodic: bool| {
+            let count = (length / wanted).floor().clamp(1.0, MOST_CELLS);
+            let fewest = (length / least).floor().min(FEWEST_ROUND);
+            if is_periodic { count.max(fewest) } else { count }
+        };
+        let [columns, rows] = [along(width, periodic[0]), along(height, periodic[1])];
+        let goes_round = periodic[0] || periodic[1];
+        if wanted <= 0.0 || (columns * rows < FEWEST_CELLS && !goes_round) {
             return None;
         }
         let size = Vec2::new(extent.x / S::from_f64(columns), extent.y / S::from_f64(rows));
-        let mut grid = Self {
-            lower: bounds.min,
-            size,
-            count: [columns as usize, rows as usize],
-            first: Vec::new(),
-            next: Vec::new(),
-            cells: Vec::new(),
-        };
-        grid.fill(places);
-        Some(grid)
+        let count = [columns as usize, rows as usize];
+        let cells = count[0] * count[1];
+        let (balls, filled) = (vec![0; cells * FEW], vec![0; cells]);
+        Some(Self { lower: bounds.min, extent, size, count, periodic, places: FEW, balls, filled })
     }
 
-    /// Puts all balls where they are.
-    pub fn fill(&mut self, places: &[Vec2<S>]) {
-        let [columns, rows] = self.count;
-        self.first.clear();
-        self.first.resize(columns * rows, NOBODY);
-        self.next.resize(places.len(), NOBODY);
-        self.cells.clear();
-        for (ball, place) in places.iter().enumerate() {
-            let from = *place - self.lower;
-            let index = |along: S, size: S, count: usize| {
-                (along / size).to_f64().clamp(0.0, count as f64 - 1.0) as u32
-            };
-            self.cells.push([index(from.x, self.size.x, columns), index(from.y, self.size.y, rows)]);
-            self.enter(ball);
-        }
+    /// Takes all balls out.
+    pub fn clear(&mut self) {
+        self.filled.fill(0);
     }
 
-    fn place(&self, [column, row]: [u32; 2]) -> usize {
+    #[inline(always)]
+    fn cell(&self, [column, row]: [u16; 2]) -> usize {
         row as usize * self.count[0] + column as usize
     }
 
-    fn enter(&mut self, ball: usize) {
-        let cell = self.place(self.cells[ball]);
-        self.next[ball] = self.first[cell];
-        self.first[cell] = ball as u32;
+    /// Puts a ball, which has not gone round yet, into the cell where its flight has brought it by a time.
+    pub fn place(&mut self, ball: &mut Ball<S>, time: S) {
+        let from = ball.position + ball.velocity * (time - ball.start) - self.lower;
+        let (place, size, extent) =
+            ([from.x, from.y], [self.size.x, self.size.y], [self.extent.x, self.extent.y]);
+        ball.rounds = [0; 2];
+        for axis in 0..2 {
+            let mut along = place[axis];
+            if self.periodic[axis] {
+                let rounds = (along / extent[axis]).to_f64().floor();
+                ball.rounds[axis] = rounds as i16;
+                along -= extent[axis] * S::from_f64(rounds);
+            }
+            let last = self.count[axis] as f64 - 1.0;
+            ball.cell[axis] = (along / size[axis]).to_f64().clamp(0.0, last) as u16;
+        }
+        self.settle(ball, time);
+        self.enter(ball);
     }
 
-    fn leave(&mut self, ball: usize) {
-        let cell = self.place(self.cells[ball]);
-        let mut before = self.first[cell];
-        if before == ball as u32 {
-            self.first[cell] = self.next[ball];
-            return;
+    /// Corrects the cell of a ball by the times at which it crosses sides: they decide, not where it seems to be.
+    fn settle(&self, ball: &mut Ball<S>, time: S) {
+        for (axis, velocity) in [ball.velocity.x, ball.velocity.y].into_iter().enumerate() {
+            if velocity == S::ZERO {
+                continue;
+            }
+            let is_up = velocity > S::ZERO;
+            // Going back one cell and asking when it leaves that one tells when it came into this.
+            for _ in 0..2 {
+                let mut before = *ball;
+                if !self.turn(&mut before, axis, !is_up) {
+                    break;
+                }
+                if before.start + self.leaves(&before, axis, velocity) > time {
+                    *ball = before;
+                } else {
+                    break;
+                }
+            }
+            while ball.start + self.leaves(ball, axis, velocity) <= time && self.turn(ball, axis, is_up) {}
         }
-        while self.next[before as usize] != ball as u32 {
-            before = self.next[before as usize];
+    }
+
+    /// Moves a ball's cell by one along an axis; says whether there is one.
+    #[inline(always)]
+    fn turn(&self, ball: &mut Ball<S>, axis: usize, is_up: bool) -> bool {
+        let last = (self.count[axis] - 1) as u16;
+        let (edge, beyond, round) = if is_up { (last, 0, 1) } else { (0, last, -1) };
+        let cell = &mut ball.cell[axis];
+        if *cell != edge {
+            *cell = if is_up { *cell + 1 } else { *cell - 1 };
+        } else if self.periodic[axis] {
+            *cell = beyond;
+            ball.rounds[axis] += round;
+        } else {
+            return false;
         }
-        self.next[before as usize] = self.next[ball];
+        true
+    }
+
+    fn enter(&mut self, ball: &Ball<S>) {
+        let cell = self.cell(ball.cell);
+        if self.filled[cell] as usize == self.places {
+            self.grow();
+        }
+        let filled = self.filled[cell] as usize;
+        self.balls[cell * self.places + filled] = ball.number;
+        self.filled[cell] += 1;
+    }
+
+    #[cold]
+    fn grow(&mut self) {
+        let mut balls = vec![0; self.balls.len() * 2];
+        for (cell, old) in self.balls.chunks_exact(self.places).enumerate() {
+            let at = cell * self.places * 2;
+            balls[at..at + self.places].copy_from_slice(old);
+        }
+        (self.balls, self.places) = (balls, self.places * 2);
+    }
+
+    fn leave(&mut self, ball: &Ball<S>) {
+        let cell = self.cell(ball.cell);
+        let at = cell * self.places;
+        let last = self.filled[cell] as usize - 1;
+        let there = &mut self.balls[at..=at + last];
+        if let Some(place) = there.iter().position(|&number| number == ball.number) {
+            there[place] = there[last];
+            self.filled[cell] = last as u32;
+        }
     }
 
     /// Moves a ball to the next cell.
-    pub fn cross(&mut self, ball: usize, side: Side) {
+    #[inline(always)]
+    pub fn cross(&mut self, ball: &mut Ball<S>, side: Side) {
         self.leave(ball);
-        let [column, row] = &mut self.cells[ball];
-        match side {
-            Side::Left => *column -= 1,
-            Side::Right => *column += 1,
-            Side::Below => *row -= 1,
-            Side::Above => *row += 1,
-        }
+        let (axis, is_up) = side.axis();
+        self.turn(ball, axis, is_up);
         self.enter(ball);
     }
 
     /// When a ball in straight flight leaves its cell, from the start of the flight, and where.
     #[inline(always)]
-    pub fn way_out(&self, ball: usize, flight: &Flight<S>) -> (S, Side) {
-        let ([column, row], place, velocity) =
-            (self.cells[ball], flight.position - self.lower, flight.velocity);
-        let across = way_along(place.x, velocity.x, self.size.x, column, self.count[0]);
-        let along = way_along(place.y, velocity.y, self.size.y, row, self.count[1]);
+    pub fn way_out(&self, ball: &Ball<S>) -> (S, Side) {
+        let across = self.leaves(ball, 0, ball.velocity.x);
+        let along = self.leaves(ball, 1, ball.velocity.y);
         if across < along {
-            (across, if velocity.x > S::ZERO { Side::Right } else { Side::Left })
+            (across, if ball.velocity.x > S::ZERO { Side::Right } else { Side::Left })
         } else {
-            (along, if velocity.y > S::ZERO { Side::Above } else { Side::Below })
+            (along, if ball.velocity.y > S::ZERO { Side::Above } else { Side::Below })
         }
     }
 
-    /// The balls in the nine cells around a ball, itself too.
+    /// When a coordinate leaves its cell; never through the outer sides of an axis that is not periodic.
+    ///
+    /// Where the table ends, its own length counts, so that this does not depend on the cells.
     #[inline(always)]
-    pub fn near(&self, ball: usize, meet: impl FnMut(usize)) {
-        let [column, row] = self.cells[ball].map(|index| index as usize);
-        let [columns, rows] = self.count;
-        self.in_cells(
-            column.saturating_sub(1)..(column + 2).min(columns),
-            row.saturating_sub(1)..(row + 2).min(rows),
-            meet,
-        );
-    }
-
-    /// The balls in the three cells that have come near since a ball came into its cell on the opposite side.
-    #[inline(always)]
-    pub fn ahead(&self, ball: usize, side: Side, meet: impl FnMut(usize)) {
-        let [column, row] = self.cells[ball].map(|index| index as usize);
-        let [columns, rows] = self.count;
-        let around = |index: usize, count: usize| index.saturating_sub(1)..(index + 2).min(count);
-        let before = |index: usize| index.saturating_sub(1)..index;
-        let behind = |index: usize, count: usize| index + 1..(index + 2).min(count);
-        let (across, along) = match side {
-            Side::Left => (before(column), around(row, rows)),
-            Side::Right => (behind(column, columns), around(row, rows)),
-            Side::Below => (around(column, columns), before(row)),
-            Side::Above => (around(column, columns), behind(row, rows)),
+    fn leaves(&self, ball: &Ball<S>, axis: usize, velocity: S) -> S {
+        let (size, extent, place) = if axis == 0 {
+            (self.size.x, self.extent.x, ball.position.x - self.lower.x)
+        } else {
+            (self.size.y, self.extent.y, ball.position.y - self.lower.y)
         };
-        self.in_cells(across, along, meet);
+        let edge = u32::from(ball.cell[axis]) + u32::from(velocity > S::ZERO);
+        let is_end = edge as usize == self.count[axis];
+        let is_closed = !self.periodic[axis] && (edge == 0 || is_end);
+        if velocity == S::ZERO || is_closed {
+            return S::INFINITY;
+        }
+        let whole = f64::from(ball.rounds[axis]) + f64::from(u8::from(is_end));
+        let part = if is_end { S::ZERO } else { size * S::from_f64(f64::from(edge)) };
+        (part + extent * S::from_f64(whole) - place) / velocity
     }
 
+    /// The nine cells around a ball's.
     #[inline(always)]
-    fn in_cells(
-        &self,
-        across: core::ops::Range<usize>,
-        along: core::ops::Range<usize>,
-        mut meet: impl FnMut(usize),
-    ) {
-        for row in along {
-            for column in across.clone() {
-                let mut ball = self.first[row * self.count[0] + column];
-                while ball != NOBODY {
-                    meet(ball as usize);
-                    ball = self.next[ball as usize];
+    pub fn around(&self, [column, row]: [u16; 2]) -> Window {
+        let [columns, rows] = self.count;
+        let (column, row) = (column as usize, row as usize);
+        if column > 0 && column + 1 < columns && row > 0 && row + 1 < rows {
+            return Window::inside(column - 1, 3, row - 1, 3);
+        }
+        self.window([column as i32 - 1, column as i32 + 1], [row as i32 - 1, row as i32 + 1])
+    }
+
+    /// The three cells that have come near since a ball came into its cell on the opposite side.
+    #[inline(always)]
+    pub fn ahead(&self, cell: [u16; 2], side: Side) -> Window {
+        let (axis, is_up) = side.axis();
+        let mut ranges = cell.map(|index| [i32::from(index) - 1, i32::from(index) + 1]);
+        ranges[axis] = if is_up { [ranges[axis][1]; 2] } else { [ranges[axis][0]; 2] };
+        self.window(ranges[0], ranges[1])
+    }
+
+    fn window(&self, columns: [i32; 2], rows: [i32; 2]) -> Window {
+        let [across, along] = [(0, columns), (1, rows)].map(|(axis, [from, to])| {
+            let count = self.count[axis] as i32;
+            let mut strip = Strip { cells: [(0, 0); 3], count: 0 };
+            for index in from..=to {
+                let round = index.div_euclid(count);
+                if round == 0 || self.periodic[axis] {
+                    strip.cells[strip.count] = (index.rem_euclid(count) as usize, round);
+                    strip.count += 1;
                 }
+            }
+            strip
+        });
+        let fits = |[from, to]: [i32; 2], axis: usize| from >= 0 && to < self.count[axis] as i32;
+        Window { columns: across, rows: along, is_inside: fits(columns, 0) && fits(rows, 1) }
+    }
+
+    /// Hands over the balls of some cells, cell by cell, each cell with how often one has gone round to be there.
+    #[inline(always)]
+    pub fn each_cell(&self, window: &Window, mut meet: impl FnMut(&[u32], usize, [i32; 2])) {
+        for &(row, round_y) in &window.rows.cells[..window.rows.count] {
+            for &(column, round_x) in &window.columns.cells[..window.columns.count] {
+                let cell = row * self.count[0] + column;
+                let at = cell * self.places;
+                meet(&self.balls[at..at + self.places], self.filled[cell] as usize, [round_x, round_y]);
             }
         }
     }
+
+    /// Fetches what says who is in the cells around a cell.
+    #[inline(always)]
+    pub fn fetch_around(&self, cell: [u16; 2]) {
+        for row in self.rows_around(cell) {
+            fetch(&self.filled, row);
+            fetch(&self.balls, row.wrapping_sub(1).wrapping_mul(self.places));
+            fetch(&self.balls, (row + 1) * self.places);
+        }
+    }
+
+    /// Hands over the balls of the cells around a cell, as a guess: two of each, and those of whichever cells lie beside it
+    /// in memory.
+    #[inline(always)]
+    pub fn each_near_in_memory(&self, cell: [u16; 2], mut meet: impl FnMut(u32)) {
+        for row in self.rows_around(cell) {
+            let at = row.wrapping_sub(1).wrapping_mul(self.places);
+            let three = self.balls.get(at..at.wrapping_add(3 * self.places)).unwrap_or_default();
+            for place in three.chunks_exact(self.places) {
+                meet(place[0]);
+                meet(place[1]);
+            }
+        }
+    }
+
+    /// The cells below a cell, itself, and above.
+    #[inline(always)]
+    fn rows_around(&self, cell: [u16; 2]) -> [usize; 3] {
+        let middle = self.cell(cell);
+        [middle.wrapping_sub(self.count[0]), middle, middle + self.count[0]]
+    }
 }
 
-/// When a coordinate leaves its cell; never through the outer sides, where the cushions are.
-#[inline(always)]
-fn way_along<S: Scalar>(place: S, velocity: S, size: S, index: u32, count: usize) -> S {
-    let edge = |index: u32| size * S::from_f64(f64::from(index));
-    if velocity > S::ZERO && ((index + 1) as usize) < count {
-        (edge(index + 1) - place) / velocity
-    } else if velocity < S::ZERO && index > 0 {
-        (edge(index) - place) / velocity
-    } else {
-        S::INFINITY
+impl Window {
+    #[inline(always)]
+    fn inside(column: usize, columns: usize, row: usize, rows: usize) -> Self {
+        let strip = |from: usize, count| Strip { cells: [(from, 0), (from + 1, 0), (from + 2, 0)], count };
+        Self { columns: strip(column, columns), rows: strip(row, rows), is_inside: true }
     }
 }

@@ -21,17 +21,17 @@ impl<S: Scalar> Discs<S> {
         if !self.has_field {
             return false;
         }
-        let mut flight = self.balls[ball].flight;
+        let mut flight = self.flight(ball);
         for place in 0..2 {
             let Some((cushion, line)) = self.pressing(ball, &flight, touched) else { break };
-            self.balls[ball].track.held_by[place] = Some(cushion);
+            self.rest[ball].track.held_by[place] = Some(cushion);
             let mut lost = lay(&mut flight, &line);
             self.drop_round_off(&mut flight);
             if place == 1 {
                 lost += S::from_f64(0.5) * flight.velocity.norm_squared();
                 (flight.velocity, flight.acceleration) = (Vec2::ZERO, Vec2::ZERO);
             }
-            let disc = self.balls[ball].disc;
+            let disc = self.system.discs[ball];
             self.diagnostics.energy_loss += (disc.mass * lost).to_f64();
             let event = Event {
                 time: flight.start,
@@ -45,12 +45,12 @@ impl<S: Scalar> Discs<S> {
                 impulse: S::ZERO,
                 cluster: None,
             };
-            self.balls[ball].flight = flight;
+            self.lay_flight(ball, &flight);
             if !held_by.contains(&Some(cushion)) {
                 self.emit(&event, observer);
             }
         }
-        self.balls[ball].track.is_held()
+        self.rest[ball].track.is_held()
     }
 
     /// Drops what is left of the acceleration and velocity of a ball that lies on a cushion across the field, where it is
@@ -74,7 +74,7 @@ impl<S: Scalar> Discs<S> {
     /// Laid on it, the ball must not run into another that it touches: unless gently enough to be held by both, it is
     /// rather the other along which it goes on.
     fn pressing(&self, ball: usize, flight: &Flight<S>, touched: &[u32]) -> Option<(u32, Line<S>)> {
-        let held = self.balls[ball].track.held_by;
+        let held = self.rest[ball].track.held_by;
         let mut hardest: Option<(u32, Line<S>, [S; 2])> = None;
         for &cushion in touched {
             let Face::Line(line) = self.system.faces.all[cushion as usize] else { continue };
@@ -113,7 +113,7 @@ impl<S: Scalar> Discs<S> {
     fn hardest_blow(&self, ball: usize, flight: &Flight<S>, touched: &[u32]) -> Option<S> {
         let mut hardest = S::ZERO;
         for &cushion in
-            touched.iter().filter(|cushion| !self.balls[ball].track.held_by.contains(&Some(**cushion)))
+            touched.iter().filter(|cushion| !self.rest[ball].track.held_by.contains(&Some(**cushion)))
         {
             let face = &self.system.faces.all[cushion as usize];
             let blow = -face.normal_at(flight.position).0.dot(flight.velocity);
@@ -137,7 +137,7 @@ impl<S: Scalar> Discs<S> {
         offset: S,
         observer: &mut impl Observer<S>,
     ) {
-        let flight = self.balls[ball].flight;
+        let flight = self.flight(ball);
         let state = flight.state_after(offset);
         let (normal, _) = self.system.faces.all[cushion as usize].normal_at(state.position);
         self.begin_flight(ball, self.free_flight(time, state));
@@ -156,7 +156,7 @@ impl<S: Scalar> Discs<S> {
             cluster: None,
         };
         self.emit(&event, observer);
-        observer.flight(ball, &self.balls[ball].flight);
+        observer.flight(ball, &self.seen_flight(ball));
     }
 }
 

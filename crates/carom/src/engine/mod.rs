@@ -1,13 +1,17 @@
 //! The event loop: predict, schedule, advance, resolve, repeat.
 
 mod audit;
+mod ball;
+mod calendar;
 mod cluster;
 mod discs;
 mod grid;
 mod hold;
 mod interface;
+mod many;
 mod predict;
 mod queue;
+mod simd;
 mod simulation;
 mod spheres;
 mod strike;

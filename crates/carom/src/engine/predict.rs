@@ -1,7 +1,7 @@
 //! Prediction: a ball's next event, from the flights as they are.
 
-use super::discs::{Discs, Neighbourhood};
-use super::grid::Side;
+use super::ball::Ball;
+use super::discs::Discs;
 use super::queue::{Pending, Target};
 use crate::detect::{
     Surroundings, cushion_gap, detect_ball_ball, detect_ball_cushion, detect_ball_in_the_clear,
@@ -11,6 +11,9 @@ use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::model::Face;
 use crate::scalar::Scalar;
+
+/// Images of a periodic table to each side in which a ball's next event is looked for when it is asked without a grid.
+const IMAGES: i32 = 3;
 
 /// What binds a ball to a cushion from before.
 enum Past {
@@ -31,11 +34,11 @@ impl<S: Scalar> Discs<S> {
 
     /// Finds a ball's next event when nothing has just happened to it.
     pub(super) fn predict(&mut self, ball: usize) {
-        let flight = self.balls[ball].flight;
-        let next = if self.grid.is_some() {
-            self.next_in_the_clear::<true>(ball, &flight, Target::Nothing)
+        let flight = self.flight(ball);
+        let next = if self.many.is_some() {
+            self.next_on_line(&self.balls[ball], &flight, Target::Nothing)
         } else {
-            self.next_in_the_clear::<false>(ball, &flight, Target::Nothing)
+            self.next_in_the_clear(ball, &flight, Target::Nothing)
         };
         match next {
             Some(next) => self.schedule(ball, next),
@@ -47,125 +50,83 @@ impl<S: Scalar> Discs<S> {
 
     /// Makes a ball's next event pending.
     pub(super) fn schedule(&mut self, ball: usize, next: Pending<S>) {
-        if self.grid.is_some() {
+        if self.many.is_some() {
             self.schedule_with::<true>(ball, next);
         } else {
             self.schedule_with::<false>(ball, next);
         }
     }
 
-    /// The same where it is known whether there is a grid.
+    /// The same where it is known whether there are many balls.
     #[inline(always)]
-    pub(super) fn schedule_with<const GRID: bool>(&mut self, ball: usize, next: Pending<S>) {
-        self.diagnostics.predictions += 1;
-        if GRID {
-            self.schedule_in_cell(ball, next);
+    pub(super) fn schedule_with<const MANY: bool>(&mut self, ball: usize, next: Pending<S>) {
+        if MANY {
+            self.schedule_among_many(ball, next);
         } else {
+            self.diagnostics.predictions += 1;
             self.queue.set(ball, next);
         }
     }
 
-    /// Schedules a ball's event, or that it leaves its cell before.
+    /// A ball's next event on a new flight; `None` where something but `struck` is in touch, or no short way can tell.
     #[inline(always)]
-    fn schedule_in_cell(&mut self, ball: usize, next: Pending<S>) {
-        let Some(Neighbourhood { grid, meetings }) = &mut self.grid else { return };
-        meetings[ball] = next;
-        let flight = &self.balls[ball].flight;
-        let (offset, side) = grid.way_out(ball, flight);
-        self.queue.set(ball, next.earlier(flight.start, Some(offset), Target::Cell(side)));
-    }
-
-    /// A ball comes into the next cell: only what is in those that have come near can be new to it.
-    #[inline(never)]
-    pub(super) fn cross(&mut self, ball: usize, side: Side) {
-        let Some(Neighbourhood { grid, meetings }) = &mut self.grid else { return };
-        grid.cross(ball, side);
-        let mut next = Some(meetings[ball]);
-        if let Some(Neighbourhood { grid, .. }) = &self.grid {
-            grid.ahead(ball, side, |other| {
-                next = next.and_then(|next| self.sooner(ball, &self.balls[ball].flight, other, next))
-            });
-        }
-        match next {
-            Some(next) => self.schedule(ball, next),
-            None => {
-                self.predict_near(ball, Target::Nothing);
-            }
-        }
-    }
-
-    /// The earlier of a ball's event `next` and its meeting with another, in flights that are straight; of two at one time
-    /// that with the lower number. `None` where the two are so near each other that more has to be asked.
-    #[inline(always)]
-    fn sooner(&self, ball: usize, flight: &Flight<S>, other: usize, next: Pending<S>) -> Option<Pending<S>> {
-        let their = &self.balls[other];
-        let radii = self.balls[ball].disc.radius + their.disc.radius;
-        if radii == S::ZERO {
-            return Some(next);
-        }
-        let offset = detect_ball_in_the_clear(flight, &their.flight, radii, &self.system.tolerance)?;
-        Some(next.earlier_meeting(flight.later_start(&their.flight), offset, other, their.track.changes))
-    }
-
-    /// A ball's next event on a flight where every flight is straight, no cushion hides it, and nothing but `struck` is in
-    /// touch; `None` otherwise. The answer is that of [`Self::predict_near`], but quicker.
-    #[inline(always)]
-    pub(super) fn next_in_the_clear<const GRID: bool>(
+    pub(super) fn next_on<const MANY: bool>(
         &self,
         ball: usize,
         flight: &Flight<S>,
         struck: Target,
     ) -> Option<Pending<S>> {
+        if MANY {
+            self.next_on_line(&self.line_of(ball, flight), flight, struck)
+        } else {
+            self.next_in_the_clear(ball, flight, struck)
+        }
+    }
+
+    /// The same of one of many balls.
+    #[inline(always)]
+    fn next_on_line(&self, line: &Ball<S>, flight: &Flight<S>, struck: Target) -> Option<Pending<S>> {
+        let next = self.next_cushion_in_the_clear(line.radius, flight, struck)?;
+        self.meeting_near(line, struck, next)
+    }
+
+    /// The first cushion that a ball in straight flight meets, where none can hide; `None` where one but `struck` is in touch.
+    #[inline(always)]
+    fn next_cushion_in_the_clear(&self, radius: S, flight: &Flight<S>, struck: Target) -> Option<Pending<S>> {
         if !self.is_plain {
             return None;
         }
-        let (system, disc) = (&*self.system, &self.balls[ball].disc);
-        let (struck_ball, struck_cushion) = match struck {
-            Target::Ball(other, _) => (other as usize, usize::MAX),
-            Target::Cushion(cushion) => (usize::MAX, cushion as usize),
-            _ => (usize::MAX, usize::MAX),
-        };
-        let tolerance = system.tolerance.of(disc.radius);
+        let struck = if let Target::Cushion(cushion) = struck { cushion as usize } else { usize::MAX };
+        let tolerance = self.system.tolerance.of(radius);
         let (cushion, offset) =
-            detect_cushion_in_the_clear(flight, disc.radius, &system.faces, tolerance, struck_cushion)?;
+            detect_cushion_in_the_clear(flight, radius, &self.system.faces, tolerance, struck)?;
         let target = if offset < S::INFINITY { Target::Cushion(cushion as u32) } else { Target::Nothing };
-        let mut next = Pending { time: flight.start + offset, offset, target };
-        if GRID {
-            return self.next_of_near(ball, flight, struck_ball, next);
-        }
-        for other in 0..self.balls.len() {
-            if other == ball || other == struck_ball {
-                continue;
-            }
-            let their = &self.balls[other];
-            let radii = disc.radius + their.disc.radius;
-            if radii == S::ZERO {
-                continue;
-            }
-            let offset = detect_ball_in_the_clear(flight, &their.flight, radii, &system.tolerance)?;
-            let target = Target::Ball(other as u32, their.track.changes);
-            next = next.earlier(flight.later_start(&their.flight), Some(offset), target);
-        }
-        Some(next)
+        Some(Pending { time: flight.start + offset, offset, target })
     }
 
-    /// The same of the balls that the grid has near.
+    /// A ball's next event on a flight where every flight is straight, no cushion hides it, and nothing but `struck` is in
+    /// touch; `None` otherwise. The answer is that of [`Self::predict_near`], but quicker.
     #[inline(always)]
-    fn next_of_near(
+    pub(super) fn next_in_the_clear(
         &self,
         ball: usize,
         flight: &Flight<S>,
-        struck: usize,
-        next: Pending<S>,
+        struck: Target,
     ) -> Option<Pending<S>> {
-        let Neighbourhood { grid, .. } = self.grid.as_ref()?;
-        let mut next = Some(next);
-        grid.near(ball, |other| {
-            if other != ball && other != struck {
-                next = next.and_then(|next| self.sooner(ball, flight, other, next));
+        let radius = self.balls[ball].radius;
+        let mut next = self.next_cushion_in_the_clear(radius, flight, struck)?;
+        let struck = if let Target::Ball(other, _) = struck { other as usize } else { usize::MAX };
+        for (other, their) in self.balls.iter().enumerate() {
+            let radii = radius + their.radius;
+            if other == ball || other == struck || radii == S::ZERO {
+                continue;
             }
-        });
-        next
+            let their_flight = their.straight_flight();
+            let offset = detect_ball_in_the_clear(flight, &their_flight, radii, &self.system.tolerance)?;
+            let target = Target::Ball(other as u32, their.changes);
+            next = next.earlier(flight.later_start(&their_flight), Some(offset), target);
+        }
+        Some(next)
     }
 
     /// Finds a ball's next event, in a field, between thin walls, or with something in touch; says whether anything is but
@@ -173,9 +134,7 @@ impl<S: Scalar> Discs<S> {
     #[inline(never)]
     pub(super) fn predict_near(&mut self, ball: usize, struck: Target) -> bool {
         let mut seen = Surroundings::CLEAR;
-        let next = self.next_cushion(ball, struck, &mut seen);
-        let next = self.next_ball(ball, struck, next, &mut seen);
-        let next = if self.balls[ball].track.is_held() { self.earlier_release(ball, next) } else { next };
+        let next = self.next_near(ball, struck, &mut seen);
         self.schedule(ball, next);
         if seen.overlap > S::ZERO {
             self.note_overlap(ball, seen.overlap, seen.broken);
@@ -183,11 +142,31 @@ impl<S: Scalar> Discs<S> {
         seen.touching
     }
 
+    /// A ball's next event, asked in the long way.
+    fn next_near(&self, ball: usize, struck: Target, seen: &mut Surroundings<S>) -> Pending<S> {
+        let next = self.next_cushion(ball, struck, seen);
+        let next = self.next_ball(ball, struck, next, seen);
+        if self.rest[ball].track.is_held() { self.earlier_release(ball, next) } else { next }
+    }
+
+    /// A ball's next event, whatever cell it is in by then; on a periodic table with what is up to three images away.
+    pub(super) fn next_of_all(&self, ball: usize) -> Pending<S> {
+        let mut seen = Surroundings::CLEAR;
+        let mut next = self.next_cushion(ball, Target::Nothing, &mut seen);
+        for other in 0..self.balls.len() {
+            let rounds = self.rounds_between(&self.balls[ball], other as u32, [0; 2]);
+            self.system.each_image(rounds, IMAGES, |shift| {
+                next = self.sooner(ball, other, shift, false, next, &mut seen);
+            });
+        }
+        if self.rest[ball].track.is_held() { self.earlier_release(ball, next) } else { next }
+    }
+
     /// The first cushion that a ball meets: one that holds it, or is the other face of its thin wall, is passed over.
     fn next_cushion(&self, ball: usize, struck: Target, seen: &mut Surroundings<S>) -> Pending<S> {
         let system = &*self.system;
-        let flight = &self.balls[ball].flight;
-        let radius = self.balls[ball].disc.radius;
+        let flight = &self.flight(ball);
+        let radius = self.balls[ball].radius;
         let tolerance = system.tolerance.of(radius);
         let mut next = Pending::NEVER;
         for (number, face) in system.faces.all.iter().enumerate() {
@@ -210,34 +189,40 @@ impl<S: Scalar> Discs<S> {
         next: Pending<S>,
         seen: &mut Surroundings<S>,
     ) -> Pending<S> {
-        let system = &*self.system;
-        let flight = &self.balls[ball].flight;
-        let radius = self.balls[ball].disc.radius;
         let struck = if let Target::Ball(other, _) = struck { other as usize } else { usize::MAX };
         let mut next = next;
-        let mut meet = |other: usize| {
-            let their = &self.balls[other];
-            let radii = radius + their.disc.radius;
-            if other == ball || radii == S::ZERO {
-                return;
-            }
-            let is_struck = other == struck;
-            if let Some(offset) =
-                detect_ball_ball(flight, &their.flight, radii, &system.tolerance, is_struck, seen)
-            {
-                let start = flight.later_start(&their.flight);
-                next = next.earlier_meeting(start, offset, other, their.track.changes);
-            }
-        };
-        match &self.grid {
-            Some(Neighbourhood { grid, .. }) => grid.near(ball, meet),
-            None => (0..self.balls.len()).for_each(&mut meet),
-        }
+        self.each_near(ball, |other, shift| {
+            next = self.sooner(ball, other, shift, other == struck, next, seen);
+        });
         next
     }
 
+    /// The earlier of a ball's event `next` and its meeting with another; of two at one time that with the lower number.
+    fn sooner(
+        &self,
+        ball: usize,
+        other: usize,
+        shift: Option<Vec2<S>>,
+        is_struck: bool,
+        next: Pending<S>,
+        seen: &mut Surroundings<S>,
+    ) -> Pending<S> {
+        let radii = self.balls[ball].radius + self.balls[other].radius;
+        if other == ball || radii == S::ZERO {
+            return next;
+        }
+        let flights = [ball, other].map(|ball| self.flight(ball));
+        let [flight, their] = &flights;
+        match detect_ball_ball([flight, their], shift, radii, &self.system.tolerance, is_struck, seen) {
+            Some(offset) => {
+                next.earlier_meeting(flight.later_start(their), offset, other, self.balls[other].changes)
+            }
+            None => next,
+        }
+    }
+
     fn past(&self, ball: usize, cushion: u32) -> Past {
-        if self.balls[ball].track.held_by.contains(&Some(cushion)) {
+        if self.rest[ball].track.held_by.contains(&Some(cushion)) {
             Past::Held
         } else if self.is_behind(ball, cushion) {
             Past::Behind
@@ -250,10 +235,10 @@ impl<S: Scalar> Discs<S> {
     /// or the direction from which it came to the place where several walls meet.
     pub(super) fn is_behind(&self, ball: usize, cushion: u32) -> bool {
         let back = self.system.backs[cushion as usize];
-        if back.is_none() || self.balls[ball].disc.radius > S::ZERO {
+        if back.is_none() || self.balls[ball].radius > S::ZERO {
             return false;
         }
-        let (track, position) = (&self.balls[ball].track, self.balls[ball].flight.position);
+        let (track, position) = (&self.rest[ball].track, self.flight(ball).position);
         track.last_cushion == back || self.is_across(cushion, track.arrival, position)
     }
 
@@ -268,7 +253,7 @@ impl<S: Scalar> Discs<S> {
     fn detect_round_the_wall(&self, ball: usize, cushion: &Face<S>) -> Option<S> {
         match cushion {
             Face::Line(line) => {
-                detect_from_behind(&self.balls[ball].flight, line, self.system.tolerance.of(S::ZERO))
+                detect_from_behind(&self.flight(ball), line, self.system.tolerance.of(S::ZERO))
             }
             Face::Round(_) => None,
         }
@@ -276,10 +261,10 @@ impl<S: Scalar> Discs<S> {
 
     fn earlier_release(&self, ball: usize, next: Pending<S>) -> Pending<S> {
         let system = &*self.system;
-        let flight = &self.balls[ball].flight;
-        let tolerance = system.tolerance.of(self.balls[ball].disc.radius);
+        let flight = &self.flight(ball);
+        let tolerance = system.tolerance.of(self.balls[ball].radius);
         let mut next = next;
-        for cushion in self.balls[ball].track.held_by.into_iter().flatten() {
+        for cushion in self.rest[ball].track.held_by.into_iter().flatten() {
             if let Face::Line(line) = &system.faces.all[cushion as usize] {
                 // Twice the tolerance: where it is let go, the ball's foot must no longer count as on the cushion.
                 let offset = detect_release(flight, line, tolerance * S::from_f64(2.0));
@@ -292,13 +277,18 @@ impl<S: Scalar> Discs<S> {
     /// The time of the next event. Predicts anew where the first pending one is stale.
     pub(super) fn time_of_next(&mut self) -> S {
         loop {
-            let (ball, Pending { time, target, .. }) = self.queue.first();
+            let (ball, Pending { time, target, .. }) = if self.many.is_some() {
+                let Some(ball) = self.first_of_many(S::INFINITY) else { return S::INFINITY };
+                let Some(many) = &self.many else { return S::INFINITY };
+                (ball, many.calendar.awaited(ball).meeting)
+            } else {
+                self.queue.first()
+            };
             match target {
-                Target::Ball(other, changes) if self.balls[other as usize].track.changes != changes => {
+                Target::Ball(other, changes) if self.balls[other as usize].changes != changes => {
                     self.diagnostics.stale += 1;
                     self.predict(ball);
                 }
-                Target::Cell(side) => self.cross(ball, side),
                 _ => return time,
             }
         }

@@ -6,7 +6,6 @@
 //! An event of two balls may be pending for either of them, which depends on the past. So events at one time come in the
 //! order of their ranks, which depend on the events alone.
 
-use super::grid::Side;
 use crate::scalar::Scalar;
 
 /// Up to this many balls, the first is found by looking at all.
@@ -27,13 +26,11 @@ pub enum Target {
     /// No event.
     Nothing,
     /// Another ball, with the number of changes of course it had when this was predicted.
-    Ball(u32, u64),
+    Ball(u32, u32),
     /// A cushion.
     Cushion(u32),
     /// The end of the cushion that holds the ball.
     Release(u32),
-    /// The next cell of the grid, on that side: not an event.
-    Cell(Side),
 }
 
 /// A ball's next event.
@@ -87,7 +84,7 @@ impl<S: Scalar> Pending<S> {
     /// The meeting with another ball `offset` after `start`, if that comes before this; of two balls at one time that with
     /// the lower number, in whatever order they are asked.
     #[inline(always)]
-    pub fn earlier_meeting(self, start: S, offset: S, other: usize, changes: u64) -> Self {
+    pub fn earlier_meeting(self, start: S, offset: S, other: usize, changes: u32) -> Self {
         let (time, target) = (start + offset, Target::Ball(other as u32, changes));
         let is_first =
             matches!(self.target, Target::Ball(known, _) if time == self.time && other < known as usize);

@@ -5,7 +5,7 @@
 //! then find a third thing in touch, it is undone and the whole cluster resolved instead.
 
 use super::cluster::Struck;
-use super::discs::{Ball, Discs};
+use super::discs::Discs;
 use super::queue::Target;
 use crate::detect::cushion_gap;
 use crate::flight::{Flight, State};
@@ -45,7 +45,7 @@ struct Collision<S> {
 impl<S: Scalar> Discs<S> {
     /// A ball meets a cushion.
     #[inline(always)]
-    pub(super) fn strike_cushion<const GRID: bool>(
+    pub(super) fn strike_cushion<const MANY: bool>(
         &mut self,
         ball: usize,
         cushion: u32,
@@ -55,12 +55,12 @@ impl<S: Scalar> Discs<S> {
     ) {
         let bounce = self.bounce(ball, cushion, time, offset);
         let flight = self.free_flight(time, bounce.after());
-        if let Some(next) = self.next_in_the_clear::<GRID>(ball, &flight, Target::Cushion(cushion)) {
+        if let Some(next) = self.next_on::<MANY>(ball, &flight, Target::Cushion(cushion)) {
             self.begin_flight(ball, flight);
-            self.schedule_with::<GRID>(ball, next);
+            self.schedule_with::<MANY>(ball, next);
             self.note_bounce(&bounce);
             self.emit(&bounce.event(), observer);
-            observer.flight(ball, &flight);
+            observer.flight(ball, &if MANY { self.seen_flight(ball) } else { flight });
         } else {
             self.strike_cushion_near(ball, cushion, time, offset, observer);
         }
@@ -73,7 +73,8 @@ impl<S: Scalar> Discs<S> {
 
     #[inline(always)]
     fn bounce(&self, ball: usize, cushion: u32, time: S, offset: S) -> Bounce<S> {
-        let before = self.state_after(&self.balls[ball].flight, offset);
+        let mut before = self.state_after(&self.flight(ball), offset);
+        before.position = self.system.wrapped(before.position, self.balls[ball].rounds);
         let face = &self.system.faces.all[cushion as usize];
         let (normal, normal_scale) = face.normal_at(before.position);
         let law = self.cushion_law(ball, cushion, time);
@@ -81,7 +82,7 @@ impl<S: Scalar> Discs<S> {
         let (own, kept_speed) = (law.restitution(closing_speed), self.kept_speed(ball, None));
         let restitution = restitution_keeping(own, kept_speed, closing_speed);
         let rebound = law.rebound(before.velocity, (normal, normal_scale), restitution);
-        let (mass, point) = (self.balls[ball].disc.mass, face.foot(before.position));
+        let (mass, point) = (self.system.discs[ball].mass, face.foot(before.position));
         Bounce { ball, cushion, time, mass, before, point, normal, normal_scale, rebound }
     }
 
@@ -103,22 +104,22 @@ impl<S: Scalar> Discs<S> {
         if !closes {
             bounce.rebound = Rebound { velocity: before.velocity, energy_loss: S::ZERO, ..bounce.rebound };
         }
-        let (flight, held_by) = (self.balls[ball].flight, self.balls[ball].track.held_by);
+        let struck = self.struck(ball, offset);
         self.begin_flight(ball, self.free_flight(time, bounce.after()));
-        self.balls[ball].track.last_cushion = Some(cushion);
+        self.rest[ball].track.last_cushion = Some(cushion);
         self.note_arrival(ball, offset, before.velocity);
-        if self.predict_near(ball, Target::Cushion(cushion)) || held_by[0].is_some() {
-            self.strike_cluster(&[Struck { ball, flight, held_by, elapsed: offset }], time, observer);
+        if self.predict_near(ball, Target::Cushion(cushion)) || struck.held_by[0].is_some() {
+            self.strike_cluster(&[struck], time, observer);
             return;
         }
         self.note_bounce(&bounce);
         if closes {
             self.emit(&bounce.event(), observer);
         }
-        if self.settle(ball, &[cushion], held_by, observer) {
+        if self.settle(ball, &[cushion], struck.held_by, observer) {
             self.predict_near(ball, Target::Cushion(cushion));
         }
-        observer.flight(ball, &self.balls[ball].flight);
+        observer.flight(ball, &self.seen_flight(ball));
     }
 
     #[inline(always)]
@@ -131,7 +132,7 @@ impl<S: Scalar> Discs<S> {
 
     /// Two balls meet.
     #[inline(never)]
-    pub(super) fn strike_ball<const GRID: bool>(
+    pub(super) fn strike_ball<const MANY: bool>(
         &mut self,
         ball: usize,
         other: usize,
@@ -142,64 +143,71 @@ impl<S: Scalar> Discs<S> {
         let [a, b] = if ball < other { [ball, other] } else { [other, ball] };
         let collision = self.collision([a, b], time, offset);
         let [flight_a, flight_b] = collision.after().map(|state| self.free_flight(time, state));
-        let next_a = self.next_in_the_clear::<GRID>(a, &flight_a, Target::Ball(b as u32, 0));
-        let next_b = self.next_in_the_clear::<GRID>(b, &flight_b, Target::Ball(a as u32, 0));
+        let next_a = self.next_on::<MANY>(a, &flight_a, Target::Ball(b as u32, 0));
+        let next_b = self.next_on::<MANY>(b, &flight_b, Target::Ball(a as u32, 0));
         if let (Some(next_a), Some(next_b)) = (next_a, next_b) {
             for (ball, flight, next) in [(a, flight_a, next_a), (b, flight_b, next_b)] {
                 self.begin_flight(ball, flight);
-                self.schedule_with::<GRID>(ball, next);
+                self.schedule_with::<MANY>(ball, next);
             }
             self.note_collision(&collision);
             self.emit(&collision.event(), observer);
-            observer.flight(a, &flight_a);
-            observer.flight(b, &flight_b);
+            for (ball, flight) in [(a, flight_a), (b, flight_b)] {
+                observer.flight(ball, &if MANY { self.seen_flight(ball) } else { flight });
+            }
         } else {
             self.strike_ball_near([a, b], time, offset, observer);
         }
     }
 
+    /// A ball before its contact, should that turn out to be one of several.
+    pub(super) fn struck(&self, ball: usize, elapsed: S) -> Struck<S> {
+        let (flight, rounds) = (self.flight(ball), self.balls[ball].rounds);
+        Struck { ball, flight, rounds, held_by: self.rest[ball].track.held_by, elapsed }
+    }
+
     #[inline(always)]
     fn collision(&self, balls: [usize; 2], time: S, offset: S) -> Collision<S> {
-        let [a, b] = balls.map(|ball| &self.balls[ball]);
-        let start = a.flight.later_start(&b.flight);
-        let before = [a, b].map(|Ball { flight, .. }| {
-            let State { position, velocity } = self.state_after(flight, start - flight.start);
-            self.state_after(&Flight { position, velocity, ..*flight }, offset)
+        let discs = balls.map(|ball| self.system.discs[ball]);
+        let [a, b] = balls.map(|ball| self.flight(ball));
+        let start = a.later_start(&b);
+        let mut before = [a, b].map(|flight| {
+            let State { position, velocity } = self.state_after(&flight, start - flight.start);
+            self.state_after(&Flight { position, velocity, ..flight }, offset)
         });
-        let separation = before[1].position - before[0].position;
-        let pair = Pair::new([&a.disc, &b.disc], separation, before.map(|state| state.velocity));
+        for (state, ball) in before.iter_mut().zip(balls) {
+            state.position = self.system.wrapped(state.position, self.balls[ball].rounds);
+        }
+        let separation = self.system.shortest(before[1].position - before[0].position);
+        let pair = Pair::new([&discs[0], &discs[1]], separation, before.map(|state| state.velocity));
         let law = self.ball_law(balls[0], balls[1], time);
         let kept_speed = self.kept_speed(balls[0], Some(balls[1]));
         let own = law.restitution(pair.closing_speed);
         let restitution = restitution_keeping(own, kept_speed, pair.closing_speed);
         let impact = law.impact(&pair, restitution);
-        Collision { balls, time, start, discs: [a.disc, b.disc], before, pair, impact }
+        Collision { balls, time, start, discs, before, pair, impact }
     }
 
     /// The same in a field, between thin walls, or with something else in touch.
     #[inline(never)]
     fn strike_ball_near(&mut self, [a, b]: [usize; 2], time: S, offset: S, observer: &mut impl Observer<S>) {
         let collision = self.collision([a, b], time, offset);
-        let flights_before = [a, b].map(|ball| self.balls[ball].flight);
-        let held_by = [a, b].map(|ball| self.balls[ball].track.held_by);
+        let struck = [a, b].map(|ball| self.struck(ball, collision.start - self.balls[ball].start + offset));
         for (ball, state) in [a, b].into_iter().zip(collision.after()) {
             self.begin_flight(ball, self.free_flight(time, state));
             self.forget_left_cushion(ball);
         }
         let touching_a = self.predict_near(a, Target::Ball(b as u32, 0));
         let touching_b = self.predict_near(b, Target::Ball(a as u32, 0));
-        if touching_a || touching_b || held_by[0][0].is_some() || held_by[1][0].is_some() {
-            let struck = |k: usize, ball| {
-                let (flight, held_by) = (flights_before[k], held_by[k]);
-                Struck { ball, flight, held_by, elapsed: collision.start - flight.start + offset }
-            };
-            self.strike_cluster(&[struck(0, a), struck(1, b)], time, observer);
+        let is_held = struck.iter().any(|struck| struck.held_by[0].is_some());
+        if touching_a || touching_b || is_held {
+            self.strike_cluster(&struck, time, observer);
             return;
         }
         self.note_collision(&collision);
         self.emit(&collision.event(), observer);
-        observer.flight(a, &self.balls[a].flight);
-        observer.flight(b, &self.balls[b].flight);
+        observer.flight(a, &self.seen_flight(a));
+        observer.flight(b, &self.seen_flight(b));
     }
 
     #[inline(always)]
@@ -227,7 +235,7 @@ impl<S: Scalar> Discs<S> {
         if !self.system.has_backs {
             return;
         }
-        let arrival = &mut self.balls[ball].track.arrival;
+        let arrival = &mut self.rest[ball].track.arrival;
         if elapsed > S::ZERO || *arrival == Vec2::ZERO {
             *arrival = velocity;
         }
@@ -235,17 +243,17 @@ impl<S: Scalar> Discs<S> {
 
     /// Forgets the cushion that a point touched last, once it has left it.
     pub(super) fn forget_left_cushion(&mut self, ball: usize) {
-        let radius = self.balls[ball].disc.radius;
+        let radius = self.balls[ball].radius;
         if radius > S::ZERO || !self.system.has_backs {
             return;
         }
-        if let Some(cushion) = self.balls[ball].track.last_cushion {
+        if let Some(cushion) = self.rest[ball].track.last_cushion {
             let tolerance = &self.system.tolerance;
             let cushion = &self.system.faces.all[cushion as usize];
-            let gap = cushion_gap(self.balls[ball].flight.position, radius, cushion, tolerance);
+            let gap = cushion_gap(self.flight(ball).position, radius, cushion, tolerance);
             if !gap.is_some_and(|gap| gap.abs() <= tolerance.of(radius)) {
-                self.balls[ball].track.last_cushion = None;
-                self.balls[ball].track.arrival = Vec2::ZERO;
+                self.rest[ball].track.last_cushion = None;
+                self.rest[ball].track.arrival = Vec2::ZERO;
             }
         }
     }

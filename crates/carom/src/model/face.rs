@@ -66,10 +66,29 @@ impl<S: Scalar> Faces<S> {
         Self { is_room: room.is_some() && all.len() == 4, all, room }
     }
 
-    /// A box around all of them; of an arc around its whole circle.
-    pub fn bounds(&self) -> Bounds<S> {
-        let nothing = Bounds { min: Vec2::ZERO, max: Vec2::ZERO };
-        self.all.iter().map(Face::bounds).reduce(|all, one| all.with(&one)).unwrap_or(nothing)
+    /// Opens the sides of a room across the axes that are periodic: those walls are infinitely far away, and the others
+    /// infinitely long.
+    pub fn open(&mut self, [across_x, across_y]: [bool; 2]) {
+        let Some(room) = &mut self.room else { return };
+        let far = S::INFINITY;
+        if across_x {
+            (room.lower.x, room.upper.x) = (-far, far);
+        }
+        if across_y {
+            (room.lower.y, room.upper.y) = (-far, far);
+        }
+        for (number, face) in self.all.iter_mut().enumerate().take(4) {
+            let Face::Line(line) = face else { continue };
+            // Bottom, right, top, left.
+            let (is_open, is_endless) =
+                if number % 2 == 0 { (across_y, across_x) } else { (across_x, across_y) };
+            if is_open {
+                line.level = -far;
+            }
+            if is_endless {
+                (line.origin, line.length) = (-far, far);
+            }
+        }
     }
 
     /// The faces that are not walls of the room.

@@ -14,8 +14,10 @@ use thiserror::Error;
 /// What a ball carries from event to event beside its flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Track<S> {
-    /// Changes of course so far, of which a contact in a cluster may make two.
-    pub changes: u64,
+    /// Changes of course so far, of which a contact in a cluster may make two; after 2³² of them counted anew.
+    pub changes: u32,
+    /// How often it has gone round each periodic axis, up to the start of its flight.
+    pub image: [i32; 2],
     /// Straight cushions that hold the ball.
     pub held_by: [Option<u32>; 2],
     /// The cushion it touched last, where there are thin walls or a field; tells a point on which side of a wall it is.
@@ -26,8 +28,6 @@ pub struct Track<S> {
     pub last_contact: S,
     /// Since when its events are counted, to see whether they follow each other too fast.
     pub burst_start: S,
-    /// Events since then.
-    pub burst: u32,
 }
 
 /// What came out of a computation.
@@ -80,12 +80,12 @@ impl<S: Scalar> Track<S> {
     pub fn new() -> Self {
         Self {
             changes: 0,
+            image: [0; 2],
             held_by: [None; 2],
             last_cushion: None,
             arrival: Vec2::ZERO,
             last_contact: -S::INFINITY,
             burst_start: S::ZERO,
-            burst: 0,
         }
     }
 

@@ -10,6 +10,7 @@ mod layout;
 mod nearest;
 mod parse;
 mod path;
+mod periodic;
 mod problem;
 mod rack;
 pub mod schema;

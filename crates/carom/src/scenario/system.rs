@@ -5,7 +5,7 @@ use super::path::Key;
 use super::schema::{self, Cluster, Collapse, Scenario};
 use super::start::BallStart;
 use crate::flight::Flight;
-use crate::geometry::Vec2;
+use crate::geometry::{Bounds, Vec2};
 use crate::law::{ball_ball, ball_cushion};
 use crate::model::{ContactTolerance, Disc, Face, Faces, Line, Table};
 use crate::scalar::Scalar;
@@ -42,6 +42,10 @@ pub struct System<S> {
     pub collapse_times: Vec<S>,
     /// Whether such contacts are without loss (the TC model of Luding and McNamara); else the run ends.
     pub collapse_is_elastic: bool,
+    /// The box around the table.
+    pub bounds: Bounds<S>,
+    /// Which axes are periodic: who leaves the table on one side comes in on the other.
+    pub periodic: [bool; 2],
     /// The contact tolerance δ.
     pub tolerance: ContactTolerance<S>,
     /// From so many balls on a grid tells who is near; it changes no bit of a run.
@@ -85,6 +89,9 @@ impl<S: Scalar> System<S> {
         let faces = faces(&table);
         let tolerance = ContactTolerance::new(&table);
         let backs = backs(&faces, tolerance.of(S::ZERO));
+        let periodic = scenario.table.periodic();
+        let mut faces = Faces::new(faces);
+        faces.open(periodic);
         let field = field(scenario.physics.flight(), number);
         let starts: Vec<_> = (scenario.balls.iter().enumerate())
             .map(|(k, ball)| ball.start(k, &scenario.ball_defaults, number))
@@ -102,9 +109,11 @@ impl<S: Scalar> System<S> {
             duration: scenario.duration.map(|value| number(&"duration", value)),
             ball_ids: scenario.balls.iter().map(|ball| ball.id.clone()).collect(),
             cushion_ids: cushion_ids(&table),
+            bounds: table.bounds,
+            periodic,
             discs,
             flights,
-            faces: Faces::new(faces),
+            faces,
             cushion_laws,
             backs,
             field,

@@ -19,7 +19,8 @@ pub(super) fn detect_ball<S: Scalar>(
     if are_apart(&a.plan, &b.plan, distance, horizon) {
         return None;
     }
-    detect_ball_ball(&a.plan, &b.plan, distance, tolerance, false, seen).filter(|offset| *offset <= horizon)
+    detect_ball_ball([&a.plan, &b.plan], None, distance, tolerance, false, seen)
+        .filter(|offset| *offset <= horizon)
 }
 
 /// The distance in plan of the centres of two balls that lie on the cloth and touch.

@@ -18,8 +18,8 @@ impl<S: Scalar> Discs<S> {
         for (first, a) in members.iter().enumerate() {
             for (second, b) in members.iter().enumerate().skip(first + 1) {
                 if self.ball_gap(a.ball, a.position, b.ball, b.position) <= S::from_f64(HAIR) {
-                    let normal = (b.position - a.position).unit();
-                    let point = a.position + normal * self.balls[a.ball].disc.radius;
+                    let normal = self.system.shortest(b.position - a.position).unit();
+                    let point = a.position + normal * self.balls[a.ball].radius;
                     contacts.push(Contact { members: (first, Some(second)), cushion: None, point, normal });
                 }
             }
@@ -30,7 +30,7 @@ impl<S: Scalar> Discs<S> {
     }
 
     fn add_cushions(&self, place: usize, member: &Member<S>, contacts: &mut Vec<Contact<S>>) {
-        let radius = self.balls[member.ball].disc.radius;
+        let radius = self.balls[member.ball].radius;
         let tolerance = self.system.tolerance.of(radius);
         let first = contacts.len();
         for (number, cushion) in self.system.faces.all.iter().enumerate() {
@@ -63,10 +63,10 @@ impl<S: Scalar> Discs<S> {
     /// Whether a cushion is the other face of a thin wall that a point is at, since the point came from across it.
     fn is_other_side(&self, member: &Member<S>, cushion: u32) -> bool {
         let back = self.system.backs[cushion as usize];
-        if back.is_none() || self.balls[member.ball].disc.radius > S::ZERO {
+        if back.is_none() || self.balls[member.ball].radius > S::ZERO {
             return false;
         }
-        let track = &self.balls[member.ball].track;
+        let track = &self.rest[member.ball].track;
         let has_stayed = member.elapsed == S::ZERO && track.arrival != Vec2::ZERO;
         let arrival = if has_stayed { track.arrival } else { member.before };
         (has_stayed && track.last_cushion == back) || self.is_across(cushion, arrival, member.position)

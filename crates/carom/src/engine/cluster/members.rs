@@ -10,21 +10,20 @@ use crate::scalar::Scalar;
 impl<S: Scalar> Discs<S> {
     /// The balls that touch each other or the struck ones.
     pub(super) fn gather(&self, struck: &[Struck<S>], time: S) -> Vec<Member<S>> {
-        let mut members: Vec<Member<S>> =
-            struck.iter().map(|s| Member::new(s.ball, s.flight, s.held_by, s.elapsed)).collect();
+        let mut members: Vec<Member<S>> = struck.iter().map(|&s| Member::new(&self.system, s)).collect();
         let mut next = 0;
         while next < members.len() {
-            for ball in 0..self.balls.len() {
+            self.each_near(members[next].ball, |ball, _| {
                 if members.iter().any(|m| m.ball == ball) {
-                    continue;
+                    return;
                 }
-                let (flight, held_by) = (self.balls[ball].flight, self.balls[ball].track.held_by);
-                let member = Member::new(ball, flight, held_by, time - flight.start);
+                let elapsed = time - self.balls[ball].start;
+                let member = Member::new(&self.system, self.struck(ball, elapsed));
                 if self.ball_gap(members[next].ball, members[next].position, ball, member.position) <= S::ONE
                 {
                     members.push(member);
                 }
-            }
+            });
             next += 1;
         }
         members
@@ -45,22 +44,32 @@ impl<S: Scalar> Discs<S> {
             })
             .collect();
         for (member, elapsed) in members.iter_mut().zip(elapsed) {
-            *member = Member::new(member.ball, member.flight, member.held_by, elapsed);
+            *member = Member::new(&self.system, member.as_struck(elapsed));
         }
         members.sort_by(|a, b| by_place(a.position, b.position));
     }
 
     /// The time from the start of a member's flight to its contact with another, if that comes at `time`.
     fn meeting(&self, member: &Member<S>, other: &Member<S>, time: S) -> Option<S> {
-        let radii = self.balls[member.ball].disc.radius + self.balls[other.ball].disc.radius;
+        let radii = self.balls[member.ball].radius + self.balls[other.ball].radius;
         if member.ball == other.ball || radii == S::ZERO {
             return None;
         }
         let (a, b) = (&member.flight, &other.flight);
         let start = a.later_start(b);
         let (tolerance, mut seen) = (&self.system.tolerance, Surroundings::CLEAR);
-        let offset = detect_ball_ball(a, b, radii, tolerance, false, &mut seen)?;
+        let shift = self.shift_between(member, other);
+        let offset = detect_ball_ball([a, b], shift, radii, tolerance, false, &mut seen)?;
         (start + offset == time).then_some(start - a.start + offset)
+    }
+
+    /// By how much a member sees another elsewhere than that one's flight says.
+    fn shift_between(&self, member: &Member<S>, other: &Member<S>) -> Option<Vec2<S>> {
+        let image = self.system.nearest_image(other.position - member.position);
+        let along =
+            |axis: usize| image[axis] + i32::from(member.rounds[axis]) - i32::from(other.rounds[axis]);
+        let rounds = [along(0), along(1)];
+        (rounds != [0; 2]).then(|| self.system.shift(rounds))
     }
 
     /// The same for a cushion.
@@ -68,7 +77,7 @@ impl<S: Scalar> Discs<S> {
         if member.held_by.contains(&Some(number as u32)) {
             return None;
         }
-        let radius = self.balls[member.ball].disc.radius;
+        let radius = self.balls[member.ball].radius;
         let (tolerance, mut seen) = (self.system.tolerance.of(radius), Surroundings::CLEAR);
         let offset = detect_ball_cushion(&member.flight, radius, face, tolerance, false, &mut seen)?;
         (member.flight.start + offset == time).then_some(offset)
@@ -76,10 +85,10 @@ impl<S: Scalar> Discs<S> {
 
     /// The gap between two balls in contact tolerances; infinite for two points.
     pub(super) fn ball_gap(&self, a: usize, position_a: Vec2<S>, b: usize, position_b: Vec2<S>) -> S {
-        let radii = self.balls[a].disc.radius + self.balls[b].disc.radius;
+        let radii = self.balls[a].radius + self.balls[b].radius;
         if radii == S::ZERO {
             return S::INFINITY;
         }
-        ((position_b - position_a).norm() - radii) / self.system.tolerance.of(radii)
+        (self.system.shortest(position_b - position_a).norm() - radii) / self.system.tolerance.of(radii)
     }
 }

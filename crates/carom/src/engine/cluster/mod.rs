@@ -10,12 +10,16 @@ use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::run::{Event, Kind, Observer};
 use crate::scalar::Scalar;
+use crate::scenario::System;
 
 /// A ball whose contact turned out to be one of several.
+#[derive(Clone, Copy)]
 pub(super) struct Struck<S> {
     pub(super) ball: usize,
     /// The flight that ends with the contact.
     pub(super) flight: Flight<S>,
+    /// How often the ball went round each periodic axis on it.
+    pub(super) rounds: [i16; 2],
     /// The cushions that held the ball on it.
     pub(super) held_by: [Option<u32>; 2],
     /// The time from the start of the flight to the contact.
@@ -27,6 +31,8 @@ struct Member<S> {
     ball: usize,
     /// The flight that brought it here.
     flight: Flight<S>,
+    /// How often it went round each periodic axis on that flight.
+    rounds: [i16; 2],
     /// The cushions that held it on that flight.
     held_by: [Option<u32>; 2],
     /// The time since the flight's start.
@@ -80,7 +86,7 @@ impl<S: Scalar> Discs<S> {
         let mut change = S::ZERO;
         let mut momentum = Vec2::ZERO;
         for member in members {
-            let mass = self.balls[member.ball].disc.mass;
+            let mass = self.system.discs[member.ball].mass;
             change += mass * (member.velocity.norm_squared() - member.before.norm_squared());
             momentum = momentum + (member.velocity - member.before) * mass;
         }
@@ -114,7 +120,7 @@ impl<S: Scalar> Discs<S> {
             self.note_contact(member.ball, time);
             self.forget_left_cushion(member.ball);
             if let Some(cushion) = cushions_of(k, contacts).next() {
-                self.balls[member.ball].track.last_cushion = Some(cushion);
+                self.rest[member.ball].track.last_cushion = Some(cushion);
                 self.note_arrival(member.ball, member.elapsed, member.before);
             }
         }
@@ -133,7 +139,7 @@ impl<S: Scalar> Discs<S> {
             let cushions: Vec<u32> = cushions_of(k, contacts).collect();
             let ball = members[k].ball;
             self.settle(ball, &cushions, members[k].held_by, observer);
-            observer.flight(ball, &self.balls[ball].flight);
+            observer.flight(ball, &self.seen_flight(ball));
         }
     }
 
@@ -165,9 +171,16 @@ impl<S: Scalar> Discs<S> {
 }
 
 impl<S: Scalar> Member<S> {
-    fn new(ball: usize, flight: Flight<S>, held_by: [Option<u32>; 2], elapsed: S) -> Self {
+    /// A ball where its flight has brought it; on a periodic table in its first image.
+    fn new(system: &System<S>, Struck { ball, flight, rounds, held_by, elapsed }: Struck<S>) -> Self {
         let State { position, velocity } = flight.state_after(elapsed);
-        Self { ball, flight, held_by, elapsed, position, before: velocity, velocity }
+        let position = system.wrapped(position, rounds);
+        Self { ball, flight, rounds, held_by, elapsed, position, before: velocity, velocity }
+    }
+
+    fn as_struck(&self, elapsed: S) -> Struck<S> {
+        let Self { ball, flight, rounds, held_by, .. } = *self;
+        Struck { ball, flight, rounds, held_by, elapsed }
     }
 
     fn after(&self) -> State<S> {

@@ -19,7 +19,7 @@ impl<S: Scalar> Discs<S> {
         time: S,
     ) -> Vec<Event<S>> {
         let mut bodies: Vec<Body<S>> =
-            members.iter().map(|m| Body::new(m.velocity, self.balls[m.ball].disc.inverse_mass)).collect();
+            members.iter().map(|m| Body::new(m.velocity, self.system.discs[m.ball].inverse_mass)).collect();
         let mut touches: Vec<Touch<S>> = contacts.iter().map(|c| self.touch(c, members, time)).collect();
         self.resolve_normal(&mut bodies, &mut touches);
         if self.slide(&mut bodies, &touches, contacts, members, time) {
@@ -60,7 +60,7 @@ impl<S: Scalar> Discs<S> {
             (None, None) => DiscLaw::Balls(ball_ball::Law::ELASTIC),
         };
         let kept_speed = self.kept_speed(ball, other);
-        let radius = |ball: usize| self.balls[ball].disc.radius;
+        let radius = |ball: usize| self.balls[ball].radius;
         let effective_radius = effective_radius(radius(ball), other.map(radius));
         Touch { kept_speed, effective_radius, ..Touch::new(first, second, contact.normal, law) }
     }

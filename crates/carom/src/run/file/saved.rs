@@ -50,13 +50,18 @@ pub struct DiscEntry {
     start: f64,
     /// Position, velocity, acceleration.
     state: [f64; 6],
-    changes: u64,
+    changes: u32,
+    #[serde(default, skip_serializing_if = "is_at_home")]
+    image: [i32; 2],
     held_by: [Option<u32>; 2],
     last_cushion: Option<u32>,
     arrival: [f64; 2],
     last_contact: Option<f64>,
     burst_start: Option<f64>,
-    burst: u32,
+}
+
+fn is_at_home(image: &[i32; 2]) -> bool {
+    *image == [0; 2]
 }
 
 impl Saved for Plane {
@@ -84,24 +89,24 @@ impl Saved for Plane {
             start: flight.start,
             state: Self::numbers_of(flight),
             changes: track.changes,
+            image: track.image,
             held_by: track.held_by,
             last_cushion: track.last_cushion,
             arrival: [track.arrival.x, track.arrival.y],
             last_contact: unless_never(track.last_contact),
             burst_start: unless_never(track.burst_start),
-            burst: track.burst,
         }
     }
 
     fn ball_of(entry: &DiscEntry) -> (Flight<f64>, Track<f64>) {
         let track = Track {
             changes: entry.changes,
+            image: entry.image,
             held_by: entry.held_by,
             last_cushion: entry.last_cushion,
             arrival: Vec2::new(entry.arrival[0], entry.arrival[1]),
             last_contact: entry.last_contact.unwrap_or(f64::NEG_INFINITY),
             burst_start: entry.burst_start.unwrap_or(f64::NEG_INFINITY),
-            burst: entry.burst,
         };
         (Self::flight_of(entry.start, &entry.state), track)
     }

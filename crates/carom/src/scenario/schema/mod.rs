@@ -23,8 +23,8 @@ pub use physics::{
 pub use preset::Preset;
 pub use rack::{Game, Rack};
 pub use table::{
-    ArcShape, CircleShape, MouthChange, MouthShape, NoseContact, Obstacle, Piece, PocketShape, PresetTable,
-    Table,
+    ArcShape, Axis, CircleShape, MouthChange, MouthShape, NoseContact, Obstacle, Piece, PocketShape,
+    PresetTable, Table,
 };
 pub use vector::Vector;
 

@@ -16,6 +16,11 @@ pub enum Table {
         /// Size along y; positive.
         #[schemars(extend("exclusiveMinimum" = 0.0))]
         length: f64,
+        /// Axes that have no cushions: a ball that leaves on one side comes in on the other, and sees the table repeated
+        /// for ever; absent: none. Not on a cloth, with obstacles or in a field.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        #[schemars(extend("uniqueItems" = true))]
+        periodic: Vec<Axis>,
         /// What stands on the table; absent: nothing.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         obstacles: Vec<Obstacle>,
@@ -100,7 +105,23 @@ pub enum Table {
     Preset(PresetTable),
 }
 
+/// An axis of the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Axis {
+    /// Across the width.
+    X,
+    /// Along the length.
+    Y,
+}
+
 impl Table {
+    /// Which axes are periodic.
+    pub fn periodic(&self) -> [bool; 2] {
+        let Table::Rectangle { periodic, .. } = self else { return [false; 2] };
+        [Axis::X, Axis::Y].map(|axis| periodic.contains(&axis))
+    }
+
     /// What stands on the table.
     pub fn obstacles(&self) -> &[Obstacle] {
         match self {

@@ -1,0 +1,298 @@
+//! Which of many balls' events comes first: a calendar of bins, each a short piece of time.
+//!
+//! What a ball is about to do is written down for it, and a line with its time goes to the end of its bin. Only the bin of
+//! the present is in order. A line is never taken back: when a ball has something else to do, its old line has an old
+//! stamp, and is passed over when its time comes. Bins are so few that their ends stay in fast memory, and so long that
+//! many lines are sorted at once.
+
+use super::grid::Side;
+use super::queue::{Pending, Target};
+use super::simd::fetch;
+use crate::scalar::Scalar;
+
+/// Lines in a bin, when the calendar is laid out.
+const LINES: f64 = 48.0;
+
+/// Lines in a bin for a great many balls, whose bins would have too many ends.
+const LINES_OF_MANY: f64 = 1024.0;
+
+/// So many balls are a great many.
+pub const A_GREAT_MANY: usize = 400_000;
+
+/// The calendar reaches over so many times the time in which a quarter of the balls has an event.
+const REACH: f64 = 32.0;
+
+/// A round of the calendar whose bins held so many times too few or too many lines lays it out anew.
+const TOLERANCE: f64 = 4.0;
+
+/// What a ball is about to do.
+#[derive(Clone, Copy, Debug)]
+pub struct Awaited<S> {
+    /// What it meets next, if that comes before it leaves its cell.
+    pub meeting: Pending<S>,
+    /// When it leaves its cell.
+    pub way_out: S,
+    /// Where.
+    pub side: Side,
+    /// Tells the line of this from those of before.
+    stamp: u32,
+}
+
+/// A line of the calendar.
+#[derive(Clone, Copy, Debug)]
+struct Line<S> {
+    time: S,
+    ball: u32,
+    stamp: u32,
+}
+
+/// What all balls are about to do, and the order of it.
+#[derive(Clone, Debug)]
+pub struct Calendar<S> {
+    awaited: Vec<Awaited<S>>,
+    /// Bins of the time to come, going round; the number of them is a power of two.
+    bins: Vec<Vec<Line<S>>>,
+    /// When bin 0 began.
+    origin: f64,
+    /// One over the length of a bin.
+    rate: f64,
+    /// The bin of the present.
+    bin: u64,
+    /// Its lines, in order from `next` on.
+    present: Vec<Line<S>>,
+    next: usize,
+    /// Lines beyond the last bin.
+    later: Vec<Line<S>>,
+    /// Lines that came to be present since the last look at the length of bins.
+    lines: u64,
+    /// The lines that a bin should have.
+    lines_per_bin: f64,
+}
+
+impl<S: Scalar> Awaited<S> {
+    const NOTHING: Self = Self { meeting: Pending::NEVER, way_out: S::INFINITY, side: Side::Left, stamp: 0 };
+
+    /// Whether the ball leaves its cell before it meets anything; at one time that comes first.
+    #[inline(always)]
+    pub fn leaves(&self) -> bool {
+        self.way_out <= self.meeting.time
+    }
+
+    #[inline(always)]
+    fn time(&self) -> S {
+        if self.leaves() { self.way_out } else { self.meeting.time }
+    }
+
+    /// The order of what comes at one time: whoever leaves a cell, then by the lower number.
+    fn rank(&self, ball: usize) -> (u8, usize) {
+        match self.meeting.target {
+            _ if self.leaves() => (0, ball),
+            Target::Ball(other, _) => (1, ball.min(other as usize)),
+            _ => (1, ball),
+        }
+    }
+}
+
+impl<S: Scalar> Calendar<S> {
+    /// A calendar of `balls` balls, none of which has anything to do.
+    pub fn new(balls: usize) -> Self {
+        Self {
+            awaited: vec![Awaited::NOTHING; balls],
+            bins: Vec::new(),
+            origin: 0.0,
+            rate: 0.0,
+            bin: 0,
+            present: Vec::new(),
+            next: 0,
+            later: Vec::new(),
+            lines: 0,
+            lines_per_bin: if balls >= A_GREAT_MANY { LINES_OF_MANY } else { LINES },
+        }
+    }
+
+    /// What a ball is about to do.
+    #[inline(always)]
+    pub fn awaited(&self, ball: usize) -> &Awaited<S> {
+        &self.awaited[ball]
+    }
+
+    /// Fetches what a ball is about to do.
+    #[inline(always)]
+    pub fn fetch(&self, ball: usize) {
+        fetch(&self.awaited, ball);
+    }
+
+    /// Writes down what a ball is about to do.
+    #[inline(always)]
+    pub fn set(&mut self, ball: usize, meeting: Pending<S>, way_out: S, side: Side) {
+        let awaited = &mut self.awaited[ball];
+        let stamp = awaited.stamp.wrapping_add(1);
+        *awaited = Awaited { meeting, way_out, side, stamp };
+        let time = awaited.time();
+        self.write(Line { time, ball: ball as u32, stamp });
+    }
+
+    #[inline(always)]
+    fn write(&mut self, line: Line<S>) {
+        // What comes before the bin of the present belongs to it, infinite times beyond all bins.
+        let bin = ((line.time.to_f64() - self.origin) * self.rate) as i64 as u64;
+        let ahead = bin.wrapping_sub(self.bin) as i64;
+        if ahead > 0 && (ahead as usize) < self.bins.len() {
+            let last = self.bins.len() - 1;
+            self.bins[bin as usize & last].push(line);
+        } else if ahead <= 0 && !self.bins.is_empty() {
+            self.insert(line);
+        } else if line.time < S::INFINITY {
+            self.later.push(line);
+        }
+    }
+
+    /// Puts a line into the bin of the present.
+    #[inline(always)]
+    fn insert(&mut self, line: Line<S>) {
+        let mut place = self.present.len();
+        self.present.push(line);
+        while place > self.next && self.present[place - 1].time > line.time {
+            self.present[place] = self.present[place - 1];
+            place -= 1;
+        }
+        self.present[place] = line;
+    }
+
+    /// The ball that has something to do first.
+    #[inline(always)]
+    pub fn first(&mut self) -> Option<usize> {
+        loop {
+            if self.next >= self.present.len() {
+                if !self.turn() {
+                    return None;
+                }
+                continue;
+            }
+            let line = self.present[self.next];
+            if self.awaited[line.ball as usize].stamp != line.stamp {
+                self.next += 1;
+                continue;
+            }
+            let is_alone = self.present.get(self.next + 1).is_none_or(|other| other.time > line.time);
+            return Some(if is_alone { line.ball as usize } else { self.first_of_several(line) });
+        }
+    }
+
+    /// The first of those at one time.
+    #[cold]
+    fn first_of_several(&self, line: Line<S>) -> usize {
+        let all = self.present[self.next..].iter().take_while(|other| other.time == line.time);
+        let all = all.filter(|other| self.awaited[other.ball as usize].stamp == other.stamp);
+        let rank = |ball: usize| self.awaited[ball].rank(ball);
+        all.map(|other| other.ball as usize)
+            .reduce(|first, ball| if rank(ball) < rank(first) { ball } else { first })
+            .unwrap_or(line.ball as usize)
+    }
+
+    /// The ball of the line that is `ahead` lines from here, which may hold no more.
+    #[inline(always)]
+    pub fn coming(&self, ahead: usize) -> Option<usize> {
+        self.present.get(self.next + ahead).map(|line| line.ball as usize)
+    }
+
+    /// Turns to the next bin; `false` when there is nothing any more.
+    #[inline(never)]
+    fn turn(&mut self) -> bool {
+        self.present.clear();
+        self.next = 0;
+        let last = self.bins.len().wrapping_sub(1) as u64;
+        if self.bins.is_empty() || (self.bin & last == last && !self.is_well_laid_out()) {
+            return self.lay_out();
+        }
+        self.bin += 1;
+        core::mem::swap(&mut self.present, &mut self.bins[(self.bin & last) as usize]);
+        let awaited = &self.awaited;
+        self.present.retain(|line| awaited[line.ball as usize].stamp == line.stamp);
+        self.lines += self.present.len() as u64;
+        self.sort();
+        if self.bin & last == 0 {
+            let later = core::mem::take(&mut self.later);
+            later.into_iter().for_each(|line| self.write(line));
+        }
+        true
+    }
+
+    fn sort(&mut self) {
+        self.present
+            .sort_unstable_by(|a, b| a.time.partial_cmp(&b.time).unwrap_or(core::cmp::Ordering::Equal));
+    }
+
+    /// Whether the bins of the last round held about as many lines as they should.
+    fn is_well_laid_out(&mut self) -> bool {
+        let lines = core::mem::take(&mut self.lines) as f64 / self.bins.len() as f64;
+        lines * TOLERANCE > self.lines_per_bin && lines < self.lines_per_bin * TOLERANCE
+    }
+
+    /// Lays the calendar out anew, from all lines that hold; `false` when there is none.
+    fn lay_out(&mut self) -> bool {
+        let mut lines: Vec<Line<S>> = core::mem::take(&mut self.later);
+        self.bins.iter_mut().for_each(|bin| lines.append(bin));
+        lines.retain(|line| self.awaited[line.ball as usize].stamp == line.stamp);
+        let quarter = lines.len() / 4;
+        if lines.is_empty() {
+            return false;
+        }
+        let in_order = |a: &f64, b: &f64| a.total_cmp(b);
+        let mut times: Vec<f64> = lines.iter().map(|line| line.time.to_f64()).collect();
+        let latest_of_quarter = *times.select_nth_unstable_by(quarter, in_order).1;
+        let first = times.iter().copied().fold(f64::INFINITY, f64::min);
+        let span = latest_of_quarter - first;
+        let bins_of_quarter = (quarter as f64 / self.lines_per_bin).max(1.0);
+        // Where all come at once, any length will do that does not hide the differences of times.
+        let length = if span > 0.0 { span / bins_of_quarter } else { first.abs().max(f64::MIN_POSITIVE) };
+        let count = ((bins_of_quarter * REACH) as usize).next_power_of_two();
+        self.bins.resize_with(count, Vec::new);
+        (self.origin, self.rate, self.bin, self.lines) = (first, 1.0 / length, 0, 0);
+        lines.into_iter().for_each(|line| self.write(line));
+        self.lines += self.present.len() as u64;
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Calendar, Side};
+    use crate::engine::queue::Pending;
+
+    /// A thousand balls, each of which has its next event some random time later; now and then all grow slower, or one is
+    /// at rest, or several have one time.
+    #[test]
+    fn events_come_in_order_whatever_their_times() {
+        let mut state = 7_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let mut calendar = Calendar::<f64>::new(1000);
+        let mut times: Vec<f64> = (0..1000).map(|_| random()).collect();
+        let set = |calendar: &mut Calendar<f64>, ball: usize, time: f64| {
+            calendar.set(ball, Pending { time, ..Pending::NEVER }, f64::INFINITY, Side::Left);
+        };
+        for (ball, time) in times.iter().enumerate() {
+            set(&mut calendar, ball, *time);
+        }
+        for step in 0..100_000 {
+            let first = calendar.first().unwrap_or_default();
+            let now = times[first];
+            if step % 100 == 0 {
+                assert_eq!(now, times.iter().copied().fold(f64::INFINITY, f64::min));
+            }
+            let pace = if step > 50_000 { 1e4 } else { 1.0 };
+            let round = |time: f64| if step % 3 == 0 { time } else { (time * 64.0).ceil() / 64.0 };
+            for ball in [first, step % 1000] {
+                times[ball] = if step % 97 == 0 && ball != first {
+                    f64::INFINITY
+                } else {
+                    round(now + random() * pace)
+                };
+                set(&mut calendar, ball, times[ball]);
+            }
+        }
+    }
+}

@@ -1,0 +1,260 @@
+//! Many balls: who is near whom, what comes first, and what a ball meets among those near.
+
+use super::ball::Ball;
+use super::calendar::{A_GREAT_MANY, Calendar};
+use super::discs::Discs;
+use super::grid::{Grid, MOST_ROUNDS, Side, Window};
+use super::queue::{Pending, Target};
+use super::simd::{Answer, Candidates, Nearest, ROOM, fetch, first_meeting};
+use crate::flight::Flight;
+use crate::geometry::Vec2;
+use crate::scalar::Scalar;
+use crate::scenario::System;
+
+/// From so many balls on they do not fit into fast memory: what is needed next is fetched before.
+const FETCHED_FROM: usize = A_GREAT_MANY / 40;
+
+/// Nobody, where a ball is asked for.
+const NOBODY: u32 = u32::MAX;
+
+/// What there is for many balls.
+#[derive(Clone, Debug)]
+pub(super) struct Many<S> {
+    pub(super) grid: Grid<S>,
+    pub(super) calendar: Calendar<S>,
+    is_fetched: bool,
+}
+
+impl<S: Scalar> Many<S> {
+    /// For the balls of a system; `None` where the table is too small for cells.
+    pub(super) fn new(system: &System<S>) -> Option<Self> {
+        let radii = system.discs.iter().map(|disc| disc.radius);
+        let largest = radii.fold(S::ZERO, |most, radius| if radius > most { radius } else { most });
+        let count = system.discs.len();
+        let grid = Grid::new(&system.bounds, largest + largest, count, system.periodic)?;
+        Some(Self { grid, calendar: Calendar::new(count), is_fetched: count >= FETCHED_FROM })
+    }
+
+    /// Puts the balls where their flights have brought them by a time.
+    pub(super) fn put(&mut self, balls: &mut [Ball<S>], time: S) {
+        self.grid.clear();
+        self.calendar = Calendar::new(balls.len());
+        balls.iter_mut().for_each(|ball| self.grid.place(ball, time));
+    }
+}
+
+impl<S: Scalar> Discs<S> {
+    /// The ball whose event comes first, if that is no later than `limit`; lets balls come into other cells on the way.
+    #[inline(always)]
+    pub(super) fn first_of_many(&mut self, limit: S) -> Option<usize> {
+        loop {
+            let many = self.many.as_mut()?;
+            let ball = many.calendar.first()?;
+            if many.is_fetched {
+                self.fetch_ahead();
+            }
+            let awaited = self.many.as_ref()?.calendar.awaited(ball);
+            if !awaited.leaves() {
+                return (awaited.meeting.time <= limit).then_some(ball);
+            }
+            if awaited.way_out > limit {
+                return None;
+            }
+            let (side, meeting, time) = (awaited.side, awaited.meeting, awaited.way_out);
+            self.cross(ball, side, meeting, time);
+        }
+    }
+
+    /// A ball comes into the next cell: only what is in those that have come near can be new to it.
+    #[inline(always)]
+    fn cross(&mut self, ball: usize, side: Side, meeting: Pending<S>, time: S) {
+        let Some(Many { grid, .. }) = &mut self.many else { return };
+        let line = &mut self.balls[ball];
+        grid.cross(line, side);
+        let [across, along] = line.rounds.map(i16::unsigned_abs);
+        if across.max(along) >= MOST_ROUNDS.unsigned_abs() {
+            self.begin_round(ball, time);
+            return;
+        }
+        let (window, own) = (grid.ahead(line.cell, side), self.balls[ball]);
+        match self.meeting_in(&window, &own, NOBODY, meeting) {
+            Some(next) => self.schedule_among_many(ball, next),
+            None => {
+                self.predict_near(ball, Target::Nothing);
+            }
+        }
+    }
+
+    /// A flight that has gone round the table so often that this is no longer counted begins anew.
+    #[cold]
+    fn begin_round(&mut self, ball: usize, time: S) {
+        let home = self.home(ball, time - self.balls[ball].start);
+        let flight = Flight { start: time, position: home, ..self.flight(ball) };
+        self.begin_flight(ball, flight);
+        self.predict(ball);
+    }
+
+    /// Where in the first image of a periodic table a ball is, some time after the start of its flight.
+    #[inline(always)]
+    pub(super) fn home(&self, ball: usize, elapsed: S) -> Vec2<S> {
+        self.system.wrapped(self.flight(ball).position_after(elapsed), self.balls[ball].rounds)
+    }
+
+    /// Schedules a ball's next event, or that it leaves its cell before.
+    #[inline(always)]
+    pub(super) fn schedule_among_many(&mut self, ball: usize, next: Pending<S>) {
+        let Some(Many { grid, calendar, .. }) = &mut self.many else { return };
+        self.diagnostics.predictions += 1;
+        let line = &self.balls[ball];
+        let (offset, side) = grid.way_out(line);
+        calendar.set(ball, next, line.start + offset, side);
+    }
+
+    /// The line of a ball that begins a straight flight.
+    #[inline(always)]
+    pub(super) fn line_of(&self, ball: usize, flight: &Flight<S>) -> Ball<S> {
+        let Flight { start, position, velocity, .. } = *flight;
+        Ball { start, position, velocity, rounds: [0; 2], ..self.balls[ball] }
+    }
+
+    /// What a ball in straight flight meets among those near, if that comes before `next`; `None` where something else than
+    /// `struck` is in touch.
+    #[inline(always)]
+    pub(super) fn meeting_near(&self, own: &Ball<S>, struck: Target, next: Pending<S>) -> Option<Pending<S>> {
+        let window = self.many.as_ref()?.grid.around(own.cell);
+        let struck = if let Target::Ball(other, _) = struck { other } else { NOBODY };
+        self.meeting_in(&window, own, struck, next)
+    }
+
+    /// The same in some cells.
+    #[inline(always)]
+    fn meeting_in(
+        &self,
+        window: &Window,
+        own: &Ball<S>,
+        struck: u32,
+        next: Pending<S>,
+    ) -> Option<Pending<S>> {
+        let known = if let Target::Ball(other, _) = next.target { i64::from(other) } else { -1 };
+        let before = Nearest { time: next.time, offset: next.offset, other: known };
+        let mut nearest = before;
+        let is_simple = window.is_inside && own.rounds == [0; 2];
+        let mut answer =
+            if is_simple { self.ask_inside(window, own, struck, &mut nearest) } else { Answer::GoneRound };
+        if answer == Answer::GoneRound {
+            nearest = before;
+            answer = self.ask_round(window, own, struck, &mut nearest);
+        }
+        if answer != Answer::Known {
+            return None;
+        }
+        let Nearest { time, offset, other } = nearest;
+        // The same ball may be met sooner than was thought before it changed its course.
+        if other == known && time == next.time {
+            return Some(next);
+        }
+        let target = Target::Ball(other as u32, self.balls[other as usize].changes);
+        Some(Pending { time, offset, target })
+    }
+
+    /// Asks the balls of cells that all lie inside the table, where nobody has gone round.
+    #[inline(always)]
+    fn ask_inside(&self, window: &Window, own: &Ball<S>, struck: u32, nearest: &mut Nearest<S>) -> Answer {
+        let Some(Many { grid, .. }) = &self.many else { return Answer::Known };
+        let tolerance = &self.system.tolerance;
+        let (mut candidates, mut answer) = (Candidates::NONE, Answer::Known);
+        grid.each_cell(window, |cell, count, _| {
+            if !candidates.has_room_for(count) {
+                for part in cell[..count].chunks(4) {
+                    if !candidates.has_room_for(4) {
+                        let found = first_meeting(
+                            &self.balls,
+                            own,
+                            struck,
+                            &mut candidates,
+                            None,
+                            tolerance,
+                            nearest,
+                        );
+                        answer = answer.and(found);
+                        candidates = Candidates::NONE;
+                    }
+                    candidates.add_few(part);
+                }
+            } else {
+                candidates.add(cell, count);
+            }
+        });
+        answer.and(first_meeting(&self.balls, own, struck, &mut candidates, None, tolerance, nearest))
+    }
+
+    /// The same across the sides of a periodic table, each ball where it is seen.
+    #[inline(never)]
+    fn ask_round(&self, window: &Window, own: &Ball<S>, struck: u32, nearest: &mut Nearest<S>) -> Answer {
+        let Some(Many { grid, .. }) = &self.many else { return Answer::Known };
+        let tolerance = &self.system.tolerance;
+        let (mut candidates, mut answer) = (Candidates::NONE, Answer::Known);
+        let mut shifts = [Vec2::ZERO; ROOM];
+        grid.each_cell(window, |cell, count, round| {
+            for &number in &cell[..count] {
+                if !candidates.has_room_for(1) {
+                    let seen = Some(&shifts);
+                    let found =
+                        first_meeting(&self.balls, own, struck, &mut candidates, seen, tolerance, nearest);
+                    answer = answer.and(found);
+                    candidates = Candidates::NONE;
+                }
+                shifts[candidates.numbers().len()] =
+                    self.system.shift(self.rounds_between(own, number, round));
+                candidates.add_few(&[number]);
+            }
+        });
+        let seen = Some(&shifts);
+        answer.and(first_meeting(&self.balls, own, struck, &mut candidates, seen, tolerance, nearest))
+    }
+
+    /// How often the table lies between where another ball's flight says that it is, and where a ball sees it in a cell that
+    /// is `round` times round.
+    #[inline(always)]
+    pub(super) fn rounds_between(&self, own: &Ball<S>, other: u32, round: [i32; 2]) -> [i32; 2] {
+        let their = self.balls[other as usize].rounds;
+        let along = |axis: usize| round[axis] + i32::from(own.rounds[axis]) - i32::from(their[axis]);
+        [along(0), along(1)]
+    }
+
+    /// Hands over the balls near a ball, itself too, each with the shift by which it is seen elsewhere, if any.
+    pub(super) fn each_near(&self, ball: usize, mut meet: impl FnMut(usize, Option<Vec2<S>>)) {
+        let Some(Many { grid, .. }) = &self.many else {
+            (0..self.balls.len()).for_each(|other| meet(other, None));
+            return;
+        };
+        let own = &self.balls[ball];
+        grid.each_cell(&grid.around(own.cell), |cell, count, round| {
+            for &number in &cell[..count] {
+                let rounds = self.rounds_between(own, number, round);
+                let shift = (rounds != [0; 2]).then(|| self.system.shift(rounds));
+                meet(number as usize, shift);
+            }
+        });
+    }
+
+    /// Fetches the memory of what comes soon.
+    #[inline(always)]
+    fn fetch_ahead(&self) {
+        let Some(Many { grid, calendar, .. }) = &self.many else { return };
+        if let Some(ball) = calendar.coming(6) {
+            calendar.fetch(ball);
+            fetch(&self.balls, ball);
+        }
+        if let Some(ball) = calendar.coming(4) {
+            if let Target::Ball(other, _) = calendar.awaited(ball).meeting.target {
+                fetch(&self.balls, other as usize);
+                calendar.fetch(other as usize);
+            }
+            grid.fetch_around(self.balls[ball].cell);
+        }
+        if let Some(ball) = calendar.coming(2) {
+            grid.each_near_in_memory(self.balls[ball].cell, |other| fetch(&self.balls, other as usize));
+        }
+    }
+}

@@ -1,0 +1,390 @@
+//! The first meeting of one ball with several, four at a time where the processor can.
+//!
+//! This is the one module that may use `unsafe`: it loads lines of [`Ball`] into wide registers, and fetches memory before
+//! it is needed. [`first_meeting`] has a plain twin in any scalar, which gives the same bits and is the only way elsewhere
+//! than on x86-64 with AVX2.
+
+#![allow(unsafe_code)]
+
+use super::ball::Ball;
+use crate::detect::{Relative, squared_tolerance};
+use crate::geometry::Vec2;
+use crate::model::ContactTolerance;
+use crate::scalar::Scalar;
+use core::any::Any;
+
+/// Room for so many numbers of balls that are asked at once.
+pub const ROOM: usize = 64;
+
+/// Balls that are asked at once; room for four more after each may be written over.
+const MOST: usize = ROOM - 12;
+
+/// Balls that may be met, by their numbers; after them come any others, for a whole number of wide registers.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub struct Candidates {
+    numbers: [u32; ROOM],
+    count: usize,
+}
+
+/// The first meeting found so far.
+#[derive(Clone, Copy, Debug)]
+pub struct Nearest<S> {
+    /// When.
+    pub time: S,
+    /// The same as offset from the later start of the two flights.
+    pub offset: S,
+    /// With which ball; below zero: none of those that were asked.
+    pub other: i64,
+}
+
+/// What asking some balls came to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// The first meeting is known.
+    Known,
+    /// One of them is so near that more has to be asked.
+    TooNear,
+    /// One of them has gone round the table: they have to be asked with where they are seen.
+    GoneRound,
+}
+
+impl Candidates {
+    /// Nobody yet.
+    pub const NONE: Self = Self { numbers: [0; ROOM], count: 0 };
+
+    /// Whether so many more have room.
+    #[inline(always)]
+    pub fn has_room_for(&self, count: usize) -> bool {
+        self.count + count <= MOST
+    }
+
+    /// Takes the first `count` balls of a cell's places, of which there are four or a multiple of it, where there is room for
+    /// them.
+    #[inline(always)]
+    pub fn add(&mut self, cell: &[u32], count: usize) {
+        // Usually four places are all there are: they are copied together, and what is not a ball is written over.
+        for (place, four) in cell.chunks_exact(4).enumerate() {
+            let at = self.count + 4 * place;
+            if place > 0 && 4 * place >= count {
+                break;
+            }
+            self.numbers[at..at + 4].copy_from_slice(four);
+        }
+        self.count += count;
+    }
+
+    /// Takes a few balls, where there is room for them.
+    pub fn add_few(&mut self, balls: &[u32]) {
+        self.numbers[self.count..self.count + balls.len()].copy_from_slice(balls);
+        self.count += balls.len();
+    }
+
+    /// The balls.
+    pub fn numbers(&self) -> &[u32] {
+        &self.numbers[..self.count]
+    }
+
+    /// Fills what wide registers would see after the last with the ball that asks, which never meets itself.
+    #[inline(always)]
+    fn close(&mut self, ball: u32) {
+        self.numbers[self.count..self.count + 12].fill(ball);
+    }
+}
+
+impl Answer {
+    /// What two answers come to.
+    #[inline(always)]
+    pub fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::GoneRound, _) | (_, Self::GoneRound) => Self::GoneRound,
+            (Self::TooNear, _) | (_, Self::TooNear) => Self::TooNear,
+            (Self::Known, Self::Known) => Self::Known,
+        }
+    }
+}
+
+/// The first of the candidates that `own`, in straight flight as they all are, meets before `nearest`; of two at one time
+/// that with the lower number. Not counted are itself and `struck`, with which it has just been in contact.
+///
+/// `shifts` say by how much each candidate is seen elsewhere than its flight says; without them nobody has gone round.
+#[inline(always)]
+pub fn first_meeting<S: Scalar>(
+    balls: &Vec<Ball<S>>,
+    own: &Ball<S>,
+    struck: u32,
+    candidates: &mut Candidates,
+    shifts: Option<&[Vec2<S>; ROOM]>,
+    tolerance: &ContactTolerance<S>,
+    nearest: &mut Nearest<S>,
+) -> Answer {
+    #[cfg(target_arch = "x86_64")]
+    if shifts.is_none()
+        && let Some(balls) = (balls as &dyn Any).downcast_ref::<Vec<Ball<f64>>>()
+        && let Some(own) = (own as &dyn Any).downcast_ref::<Ball<f64>>()
+        && let Some(tolerance) = (tolerance as &dyn Any).downcast_ref::<ContactTolerance<f64>>()
+        && let Some(nearest) = (nearest as &mut dyn Any).downcast_mut::<Nearest<f64>>()
+        && is_wide()
+    {
+        candidates.close(own.number);
+        // SAFETY: the processor has AVX2; every number is that of a ball.
+        return unsafe { avx2::first_meeting(balls, own, struck, candidates, tolerance, nearest) };
+    }
+    first_meeting_plain(balls, own, struck, candidates, shifts, tolerance, nearest)
+}
+
+/// The plain twin.
+pub fn first_meeting_plain<S: Scalar>(
+    balls: &[Ball<S>],
+    own: &Ball<S>,
+    struck: u32,
+    candidates: &Candidates,
+    shifts: Option<&[Vec2<S>; ROOM]>,
+    tolerance: &ContactTolerance<S>,
+    nearest: &mut Nearest<S>,
+) -> Answer {
+    let mut answer = Answer::Known;
+    for (place, &number) in candidates.numbers().iter().enumerate() {
+        let other = &balls[number as usize];
+        let radii = own.radius + other.radius;
+        if shifts.is_none() && other.rounds != [0; 2] {
+            return Answer::GoneRound;
+        }
+        if number == own.number || number == struck || radii == S::ZERO {
+            continue;
+        }
+        let shift = shifts.map(|shifts| shifts[place]);
+        let relative = Relative::straight(&own.straight_flight(), &other.straight_flight(), shift);
+        let gap = relative.squared_gap(radii);
+        if gap <= squared_tolerance(tolerance, radii) {
+            answer = Answer::TooNear;
+            continue;
+        }
+        let offset = relative.meeting(gap, radii);
+        let time = relative.start + offset;
+        let is_first = time == nearest.time && i64::from(number) < nearest.other;
+        if time < nearest.time || is_first {
+            *nearest = Nearest { time, offset, other: i64::from(number) };
+        }
+    }
+    answer
+}
+
+/// Whether wide registers can be used.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+fn is_wide() -> bool {
+    std::arch::is_x86_feature_detected!("avx2")
+}
+
+/// Fetches a line of memory that will be needed soon.
+#[inline(always)]
+pub fn fetch<T>(items: &[T], place: usize) {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(item) = items.get(place) {
+        // SAFETY: a prefetch of any address is harmless, and this one is in the slice.
+        unsafe {
+            core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(
+                core::ptr::from_ref(item).cast(),
+            );
+        }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = (items, place);
+}
+
+#[cfg(target_arch = "x86_64")]
+mod avx2 {
+    use super::{Answer, Ball, Candidates, ContactTolerance, Nearest};
+    use core::arch::x86_64::*;
+
+    /// The ball that asks, each of its numbers in all four lanes.
+    struct Own {
+        start: __m256d,
+        position: [__m256d; 2],
+        velocity: [__m256d; 2],
+        radius: __m256d,
+        number: __m256i,
+        struck: __m256i,
+        /// 1e-10, and the part of the contact tolerance that is the table's.
+        tolerance: [__m256d; 2],
+    }
+
+    /// The first meeting in each lane.
+    struct First {
+        time: __m256d,
+        offset: __m256d,
+        other: __m256i,
+    }
+
+    /// What was seen on the way, in any lane.
+    struct Seen {
+        /// The high halves are the rounds of those that were asked.
+        rounds: __m256i,
+        near: __m256d,
+    }
+
+    /// # Safety
+    ///
+    /// The processor has AVX2, and every number of the candidates, those after the last included, is that of a ball.
+    #[target_feature(enable = "avx2")]
+    pub unsafe fn first_meeting(
+        balls: &[Ball<f64>],
+        own: &Ball<f64>,
+        struck: u32,
+        candidates: &Candidates,
+        tolerance: &ContactTolerance<f64>,
+        nearest: &mut Nearest<f64>,
+    ) -> Answer {
+        let all = |value| _mm256_set1_pd(value);
+        let asker = Own {
+            start: all(own.start),
+            position: [all(own.position.x), all(own.position.y)],
+            velocity: [all(own.velocity.x), all(own.velocity.y)],
+            radius: all(own.radius),
+            number: _mm256_set1_epi64x(i64::from(own.number)),
+            struck: _mm256_set1_epi64x(i64::from(struck)),
+            tolerance: [all(1e-10), all(tolerance.of(0.0))],
+        };
+        let mut first = First {
+            time: all(nearest.time),
+            offset: all(nearest.offset),
+            other: _mm256_set1_epi64x(nearest.other),
+        };
+        let mut seen = Seen { rounds: _mm256_setzero_si256(), near: _mm256_setzero_pd() };
+        let mut from = 0;
+        // Three groups hold what nine cells usually do; so the number of them is no surprise to the processor.
+        let groups = if candidates.count <= 4 { 1 } else { candidates.count.div_ceil(4).max(3) };
+        for _ in 0..groups {
+            // SAFETY: as of this function.
+            unsafe { ask_four(balls.as_ptr(), &candidates.numbers, from, &asker, &mut first, &mut seen) };
+            from += 4;
+        }
+        let high = _mm256_srli_epi64::<32>(seen.rounds);
+        if _mm256_testz_si256(high, high) == 0 {
+            return Answer::GoneRound;
+        }
+        if _mm256_movemask_pd(seen.near) != 0 {
+            return Answer::TooNear;
+        }
+        *nearest = first.of_all();
+        Answer::Known
+    }
+
+    impl First {
+        /// The first of the four lanes.
+        #[target_feature(enable = "avx2")]
+        #[inline]
+        fn of_all(self) -> Nearest<f64> {
+            let other = _mm256_castsi256_pd(self.other);
+            let halves = self.earlier(First {
+                time: _mm256_permute2f128_pd::<1>(self.time, self.time),
+                offset: _mm256_permute2f128_pd::<1>(self.offset, self.offset),
+                other: _mm256_castpd_si256(_mm256_permute2f128_pd::<1>(other, other)),
+            });
+            let other = _mm256_castsi256_pd(halves.other);
+            let one = halves.earlier(First {
+                time: _mm256_permute_pd::<5>(halves.time),
+                offset: _mm256_permute_pd::<5>(halves.offset),
+                other: _mm256_castpd_si256(_mm256_permute_pd::<5>(other)),
+            });
+            Nearest {
+                time: _mm256_cvtsd_f64(one.time),
+                offset: _mm256_cvtsd_f64(one.offset),
+                other: _mm_cvtsi128_si64(_mm256_castsi256_si128(one.other)),
+            }
+        }
+
+        /// Lane by lane the earlier of two, and of two at one time the lower number.
+        #[target_feature(enable = "avx2")]
+        #[inline]
+        fn earlier(&self, that: Self) -> Self {
+            let is_before = _mm256_cmp_pd::<_CMP_LT_OQ>(that.time, self.time);
+            let is_even = _mm256_cmp_pd::<_CMP_EQ_OQ>(that.time, self.time);
+            let is_lower = _mm256_castsi256_pd(_mm256_cmpgt_epi64(self.other, that.other));
+            let chosen = _mm256_or_pd(is_before, _mm256_and_pd(is_even, is_lower));
+            let other = [self.other, that.other].map(|other| _mm256_castsi256_pd(other));
+            Self {
+                time: _mm256_blendv_pd(self.time, that.time, chosen),
+                offset: _mm256_blendv_pd(self.offset, that.offset, chosen),
+                other: _mm256_castpd_si256(_mm256_blendv_pd(other[0], other[1], chosen)),
+            }
+        }
+    }
+
+    /// Asks four candidates from a place on. The order of every operation is that of [`super::first_meeting_plain`].
+    ///
+    /// # Safety
+    ///
+    /// The processor has AVX2, and there are four numbers of balls from that place on.
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    unsafe fn ask_four(
+        balls: *const Ball<f64>,
+        numbers: &[u32],
+        from: usize,
+        own: &Own,
+        first: &mut First,
+        seen: &mut Seen,
+    ) {
+        // SAFETY: a ball in f64 is eight numbers of eight bytes, aligned to a line.
+        let [low, high] = unsafe {
+            let line = |k: usize| balls.add(*numbers.get_unchecked(from + k) as usize).cast::<f64>();
+            let lines = [line(0), line(1), line(2), line(3)];
+            [lines.map(|line| _mm256_load_pd(line)), lines.map(|line| _mm256_load_pd(line.add(4)))]
+        };
+        let [start, x, y, vx] = transposed(low);
+        let [vy, radius, _, last] = transposed(high);
+        let last = _mm256_castpd_si256(last);
+        seen.rounds = _mm256_or_si256(seen.rounds, last);
+        let number = _mm256_and_si256(last, _mm256_set1_epi64x(0xffff_ffff));
+        let is_other = |who| _mm256_castsi256_pd(_mm256_cmpeq_epi64(number, who));
+        let is_left_out = _mm256_or_pd(is_other(own.number), is_other(own.struck));
+
+        let (add, sub, mul) =
+            (|a, b| _mm256_add_pd(a, b), |a, b| _mm256_sub_pd(a, b), |a, b| _mm256_mul_pd(a, b));
+        let later = _mm256_max_pd(own.start, start);
+        let (after_own, after) = (sub(later, own.start), sub(later, start));
+        let place = |position, velocity, elapsed| add(position, mul(velocity, elapsed));
+        let dx = sub(place(x, vx, after), place(own.position[0], own.velocity[0], after_own));
+        let dy = sub(place(y, vy, after), place(own.position[1], own.velocity[1], after_own));
+        let (wx, wy) = (sub(vx, own.velocity[0]), sub(vy, own.velocity[1]));
+        let radii = add(own.radius, radius);
+        let radii_squared = mul(radii, radii);
+        let gap = sub(add(mul(dx, dx), mul(dy, dy)), radii_squared);
+
+        let of_contact = add(mul(radii, own.tolerance[0]), own.tolerance[1]);
+        let tolerance = mul(add(radii, radii), of_contact);
+        let is_near = _mm256_cmp_pd::<_CMP_LE_OQ>(gap, tolerance);
+        seen.near = _mm256_or_pd(seen.near, _mm256_andnot_pd(is_left_out, is_near));
+
+        let slope = add(mul(dx, wx), mul(dy, wy));
+        let miss = sub(mul(dx, wy), mul(dy, wx));
+        let speed_squared = add(mul(wx, wx), mul(wy, wy));
+        let discriminant = sub(mul(speed_squared, radii_squared), mul(miss, miss));
+        let zero = _mm256_setzero_pd();
+        let closes = _mm256_and_pd(
+            _mm256_cmp_pd::<_CMP_LT_OQ>(slope, zero),
+            _mm256_cmp_pd::<_CMP_GT_OQ>(discriminant, zero),
+        );
+        let meets = _mm256_andnot_pd(is_left_out, closes);
+        let offset = _mm256_div_pd(gap, sub(_mm256_sqrt_pd(discriminant), slope));
+        let time = add(later, offset);
+        let time = _mm256_blendv_pd(_mm256_set1_pd(f64::INFINITY), time, meets);
+        *first = first.earlier(First { time, offset, other: number });
+    }
+
+    /// Four rows of four as four columns.
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn transposed([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
+        let (even_ab, odd_ab) = (_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b));
+        let (even_cd, odd_cd) = (_mm256_unpacklo_pd(c, d), _mm256_unpackhi_pd(c, d));
+        [
+            _mm256_permute2f128_pd::<0x20>(even_ab, even_cd),
+            _mm256_permute2f128_pd::<0x20>(odd_ab, odd_cd),
+            _mm256_permute2f128_pd::<0x31>(even_ab, even_cd),
+            _mm256_permute2f128_pd::<0x31>(odd_ab, odd_cd),
+        ]
+    }
+}
