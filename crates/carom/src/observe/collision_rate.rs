@@ -41,7 +41,7 @@ impl Measure for CollisionRate {
             Quantity::measured(PER_DISC, &self.per_disc, None),
         ];
         // The others are relations of equal discs.
-        if gas.is_uniform {
+        if gas.is_uniform() {
             quantities.extend([
                 Quantity::measured(REDUCED, &self.reduced, expected),
                 Quantity::measured(FROM_PRESSURE, &self.excess, expected).times(rate_per_excess()),

@@ -46,14 +46,22 @@ impl FreeTimes {
         }
     }
 
-    /// The bins from the first to the last that is not empty: where it begins, where it ends, how many.
-    fn bins(&self) -> Vec<(f64, f64, f64)> {
+    /// The bins from the first to the last that is not empty.
+    fn bins(&self) -> Vec<Bin> {
         let is_hit = |count: &u64| *count > 0;
         let first = self.counts.iter().position(is_hit).unwrap_or(0);
         let end = self.counts.iter().rposition(is_hit).map_or(0, |last| last + 1);
-        let bin = |place: usize| (start(place), start(place + 1), self.counts[place] as f64);
+        let bin =
+            |place| Bin { start: start(place), end: start(place + 1), count: self.counts[place] as f64 };
         (first..end).map(bin).collect()
     }
+}
+
+/// A bin of free times.
+struct Bin {
+    start: f64,
+    end: f64,
+    count: f64,
 }
 
 /// The bin of a time: its exponent and the first bits of its mantissa.
@@ -125,33 +133,25 @@ impl Measure for FreePath {
     }
 }
 
-fn distribution(bins: &[(f64, f64, f64)]) -> Curve {
-    let total: f64 = bins.iter().map(|(_, _, count)| count).sum();
-    let middles = bins.iter().map(|(start, end, count)| count * 0.5 * (start + end));
-    let mean = middles.sum::<f64>() / total;
-    let column = |value: fn(f64, f64, f64, f64, f64) -> f64| {
-        bins.iter().map(|(start, end, count)| value(*start, *end, *count, total, mean)).collect()
-    };
-    let decay = |start: f64, end: f64, _, _, mean: f64| {
-        let longer = |time: f64| <f64 as Scalar>::exp(-time / mean);
-        (longer(start) - longer(end)) / (end - start)
-    };
+fn distribution(bins: &[Bin]) -> Curve {
+    let total: f64 = bins.iter().map(|bin| bin.count).sum();
+    let mean = bins.iter().map(|bin| bin.count * 0.5 * (bin.start + bin.end)).sum::<f64>() / total;
+    let longer = |time: f64| <f64 as Scalar>::exp(-time / mean);
+    let column = |names, of: &dyn Fn(&Bin) -> f64| Column::new(names, bins.iter().map(of).collect());
     Curve {
         name: "free_times",
         columns: vec![
-            Column::new(["start", "time", "where the bin begins"], column(|start, _, _, _, _| start)),
-            Column::new(["end", "time", "where the bin ends"], column(|_, end, _, _, _| end)),
-            Column::new(
-                ["density", "1/time", "share of the free times in the bin, by its width"],
-                column(|start, end, count, total, _| count / (total * (end - start))),
-            ),
-            Column::new(
-                ["density_error", "1/time", "standard error of as many independent counts"],
-                column(|start, end, count, total, _| count.sqrt() / (total * (end - start))),
-            ),
-            Column::new(
+            column(["start", "time", "where the bin begins"], &|bin| bin.start),
+            column(["end", "time", "where the bin ends"], &|bin| bin.end),
+            column(["density", "1/time", "share of the free times in the bin, by its width"], &|bin| {
+                bin.count / (total * (bin.end - bin.start))
+            }),
+            column(["density_error", "1/time", "standard error of as many independent counts"], &|bin| {
+                bin.count.sqrt() / (total * (bin.end - bin.start))
+            }),
+            column(
                 ["poisson", "1/time", "collisions by chance alone: the exponential with the bins' mean"],
-                column(decay),
+                &|bin| (longer(bin.start) - longer(bin.end)) / (bin.end - bin.start),
             ),
         ],
     }

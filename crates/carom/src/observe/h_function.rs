@@ -5,7 +5,8 @@
 //! the moment. With the share p of each ring H = Σ p ln p − ln(area); counting N discs in K rings makes this too large by
 //! (K − 1)/2N on average, which is taken off (G. A. Miller, *Note on the bias of information estimates*, 1955). Maxwell's
 //! distribution has ln(m/2πkT) − 1; rings of a finite area see a value that is lower by about δ²/24, which the column
-//! `maxwell` allows for. H is per disc; discs of unequal masses count with v √(m/m̄).
+//! `maxwell` allows for. Rings are to hold many discs each: fewer than a thousand want wider ones. At equal speeds the
+//! energy is kT, which no ring of the default area begins with. H is per disc; discs of unequal masses count with v √(m/m̄).
 
 use super::events::EventSums;
 use super::observable::Measure;
@@ -30,7 +31,7 @@ pub(super) struct HOptions {
 
 impl Default for HOptions {
     fn default() -> Self {
-        Self { ring: 0.125, points: 1024 }
+        Self { ring: 0.12, points: 1024 }
     }
 }
 

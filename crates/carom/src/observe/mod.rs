@@ -16,6 +16,9 @@
 //! | `diffusion` | mean square displacement, velocity autocorrelation, D | `longest`, `lags`, `origins` |
 //! | `psi6` | order of directions to neighbours | |
 //! | `kinetic_energy` | energy over time, beside Haff's law | `points`, `restitution` |
+//!
+//! Another observable is a file that implements `Measure`, a variant and a name in `observable.rs`, and a line here. What is
+//! summed at events is in `events.rs` alone, and is handed on at samples.
 
 mod blocks;
 mod collision_rate;

@@ -185,7 +185,7 @@ impl Measure for RadialDistribution {
             return Err(unfit("radial_distribution", problem));
         }
         self.near = vec![Blocks::default(); self.bins.count];
-        self.weights = if gas.is_uniform { contact_weights(&self.bins) } else { Vec::new() };
+        self.weights = if gas.has_one_diameter { contact_weights(&self.bins) } else { Vec::new() };
         Ok(())
     }
 

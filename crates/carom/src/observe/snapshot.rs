@@ -35,8 +35,10 @@ pub(super) struct Gas {
     pub periods: [bool; 2],
     /// The diameter, or the mean of the diameters.
     pub diameter: f64,
-    /// Whether all discs have the same diameter and mass.
-    pub is_uniform: bool,
+    /// Whether all discs have the same diameter.
+    pub has_one_diameter: bool,
+    /// Whether all discs have the same mass.
+    pub has_one_mass: bool,
     /// The mean of the masses.
     pub mass: f64,
     /// The part of the area that the discs cover.
@@ -103,9 +105,9 @@ impl Snapshot<'_> {
 
     /// Velocities about the drift, scaled to those that a disc of the gas's mean mass would have at the same energy.
     pub(super) fn thermal_velocities(&self, gas: &Gas, heat: &Heat) -> impl Iterator<Item = Vec2<f64>> {
-        let (mass, is_uniform, drift) = (gas.mass, gas.is_uniform, heat.drift);
+        let (mass, has_one_mass, drift) = (gas.mass, gas.has_one_mass, heat.drift);
         self.velocities.iter().zip(self.masses).map(move |(velocity, own)| {
-            let scale = if is_uniform { 1.0 } else { (own / mass).sqrt() };
+            let scale = if has_one_mass { 1.0 } else { (own / mass).sqrt() };
             (*velocity - drift) * scale
         })
     }
@@ -118,7 +120,7 @@ impl Gas {
         let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
         let is_one = |values: &[f64]| values.iter().all(|value| *value == values[0]);
         let covered: f64 = snapshot.radii.iter().map(|radius| core::f64::consts::PI * radius * radius).sum();
-        let is_uniform = is_one(snapshot.radii) && is_one(snapshot.masses);
+        let (has_one_diameter, has_one_mass) = (is_one(snapshot.radii), is_one(snapshot.masses));
         let periodic_axes = snapshot.periods.iter().filter(|is_periodic| **is_periodic).count();
         let freedom = 2.0 * count - periodic_axes as f64;
         if freedom <= 0.0 {
@@ -130,9 +132,10 @@ impl Gas {
             size: snapshot.size,
             periods: snapshot.periods,
             // The value itself where all are one: a mean may round.
-            diameter: 2.0 * if is_uniform { snapshot.radii[0] } else { mean(snapshot.radii) },
-            mass: if is_uniform { snapshot.masses[0] } else { mean(snapshot.masses) },
-            is_uniform,
+            diameter: 2.0 * if has_one_diameter { snapshot.radii[0] } else { mean(snapshot.radii) },
+            mass: if has_one_mass { snapshot.masses[0] } else { mean(snapshot.masses) },
+            has_one_diameter,
+            has_one_mass,
             packing_fraction: covered / (snapshot.size[0] * snapshot.size[1]),
             freedom,
         })
@@ -163,14 +166,21 @@ impl Gas {
         2.0 * self.count / self.freedom
     }
 
-    /// The compressibility factor of a large gas of this packing fraction, where it is known.
+    /// Whether all discs are alike.
+    pub fn is_uniform(&self) -> bool {
+        self.has_one_diameter && self.has_one_mass
+    }
+
+    /// The compressibility factor of a large gas of this packing fraction, where it is known; masses do not matter.
     pub fn expected_compressibility(&self) -> Option<f64> {
-        state_equation::compressibility(self.packing_fraction).filter(|_| self.is_uniform)
+        state_equation::compressibility(self.packing_fraction).filter(|_| self.has_one_diameter)
     }
 
     /// Collisions of a disc per time, in units of √(kT/m)/σ, in a large gas of this packing fraction: (4/√π)(Z − 1).
     pub fn expected_collision_rate(&self) -> Option<f64> {
-        self.expected_compressibility().map(|z| state_equation::rate_per_excess() * (z - 1.0))
+        self.expected_compressibility()
+            .filter(|_| self.has_one_mass)
+            .map(|z| state_equation::rate_per_excess() * (z - 1.0))
     }
 }
 
