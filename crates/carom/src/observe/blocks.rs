@@ -1,11 +1,11 @@
 //! The mean of a correlated series and its standard error, in memory that grows with the logarithm of its length.
 //!
-//! The series is averaged in blocks of 1, 2, 4, ... values; at each length the scatter of the blocks gives an error of the
-//! mean, which grows with the length until the blocks are independent (H. Flyvbjerg, H. G. Petersen, *Error estimates on
-//! averages of correlated data*, J. Chem. Phys. 91, 461, 1989). The length B that is taken is the shortest with
-//! B³ > 2 n (s_B/s_1)⁴, where n is the number of values and s_B the error from blocks of B: there the systematic part of
-//! the error and the noise of its estimate balance (R. M. Lee et al., Phys. Rev. E 83, 066706, 2011). Where no length
-//! does, the series is too short to show its correlations, and the largest of the errors is taken.
+//! The series is averaged in blocks of 1, 2, 4, ... values; at each length the scatter of the blocks gives an error of
+//! the mean, which grows with the length until the blocks are independent (H. Flyvbjerg, H. G. Petersen, *Error
+//! estimates on averages of correlated data*, J. Chem. Phys. 91, 461, 1989). The length B that is taken is the shortest
+//! with B³ > 2 n (s_B/s_1)⁴, where n is the number of values and s_B the error from blocks of B: there the systematic
+//! part of the error and the noise of its estimate balance (R. M. Lee et al., Phys. Rev. E 83, 066706, 2011). Where no
+//! length does, the series is too short to show its correlations, and the largest of the errors is taken.
 //!
 //! What is averaged is a ratio Σa/Σb, whose error follows from the scatter of a − (Σa/Σb) b; a plain mean has b = 1.
 

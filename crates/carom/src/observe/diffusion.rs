@@ -1,13 +1,13 @@
 //! Mean square displacement and velocity autocorrelation, and the diffusion coefficient from both.
 //!
-//! Positions and velocities of a few samples are kept as origins, which are compared with the samples after them up to the
-//! longest lag; then each makes room for a new one. So the memory is bounded: 32 bytes for each disc and origin. Origins
-//! follow each other at equal intervals, the longest lag over their number.
+//! Positions and velocities of a few samples are kept as origins, which are compared with the samples after them up to
+//! the longest lag; then each makes room for a new one. So the memory is bounded: 32 bytes for each disc and origin.
+//! Origins follow each other at equal intervals, the longest lag over their number.
 //!
-//! D = [⟨r²(t₂)⟩ − ⟨r²(t₁)⟩]/4(t₂ − t₁) with the longest lag t₂ and about half of it as t₁, which leaves out how the motion
-//! began; and D = ½ ∫ ⟨v(0)·v(t)⟩ dt up to the longest lag, by trapezia between the lags. The second needs lags shorter than
-//! the mean free time. Positions are unwrapped; a drift of the whole gas counts as motion. In two dimensions D grows with the
-//! size of the gas and, logarithmically, with the lag (long-time tails).
+//! D = [⟨r²(t₂)⟩ − ⟨r²(t₁)⟩]/4(t₂ − t₁) with the longest lag t₂ and about half of it as t₁, which leaves out how the
+//! motion began; and D = ½ ∫ ⟨v(0)·v(t)⟩ dt up to the longest lag, by trapezia between the lags. The second needs lags
+//! shorter than the mean free time. Positions are unwrapped; a drift of the whole gas counts as motion. In two
+//! dimensions D grows with the size of the gas and, logarithmically, with the lag (long-time tails).
 
 use super::blocks::Blocks;
 use super::events::EventSums;

@@ -1,8 +1,9 @@
 //! Mean free time and path, between a disc's collisions with other discs, and how the free times are distributed.
 //!
-//! The mean free time is N t/(2 C) for C collisions of N discs in a time t, the mean free path the mean speed times that;
-//! a bounce off a wall ends neither. Each free time from one collision of a disc to its next is counted in bins of equal
-//! ratio, eight to an octave, so that no scale has to be guessed; the errors of the bins are those of independent counts.
+//! The mean free time is N t/(2 C) for C collisions of N discs in a time t, the mean free path the mean speed times
+//! that; a bounce off a wall ends neither. Each free time from one collision of a disc to its next is counted in bins, of
+//! which each octave has eight equally wide ones, so that no scale has to be guessed; the errors of the bins are those of
+//! independent counts.
 
 use super::blocks::Blocks;
 use super::events::EventSums;

@@ -79,8 +79,8 @@ impl Grid {
         &self.discs
     }
 
-    /// Visits all discs that may be within reach of a place, and some beyond, each periodic image on its own: the number,
-    /// and the way from the place to the centre. A disc at the place itself is visited too.
+    /// Visits all discs that may be within reach of a place, and some beyond, each periodic image on its own: the
+    /// number, and the way from the place to the centre. A disc at the place itself is visited too.
     #[inline]
     pub fn near(&self, place: [f64; 2], reach: f64, mut visit: impl FnMut(u32, [f64; 2])) {
         let [columns, rows] = [0, 1].map(|axis| self.cells_within(axis, place[axis], reach));

@@ -1,12 +1,13 @@
 //! Boltzmann's H = ∫ f ln f d²v over time.
 //!
 //! Velocities are counted in rings of equal area in the plane of velocities, so it is assumed that no direction is
-//! preferred. The area is that at which exp(−m v²/2kT) falls by a factor exp(−δ) from ring to ring, at the temperature of
-//! the moment. With the share p of each ring H = Σ p ln p − ln(area); counting N discs in K rings makes this too large by
-//! (K − 1)/2N on average, which is taken off (G. A. Miller, *Note on the bias of information estimates*, 1955). Maxwell's
-//! distribution has ln(m/2πkT) − 1; rings of a finite area see a value that is lower by about δ²/24, which the column
-//! `maxwell` allows for. Rings are to hold many discs each: fewer than a thousand want wider ones. At equal speeds the
-//! energy is kT, which no ring of the default area begins with. H is per disc; discs of unequal masses count with v √(m/m̄).
+//! preferred. The area is that at which exp(−m v²/2kT) falls by a factor exp(−δ) from ring to ring, at the temperature
+//! of the moment. With the share p of each ring H = Σ p ln p − ln(area); counting N discs in K rings makes this too
+//! large by (K − 1)/2N on average, which is taken off (G. A. Miller, *Note on the bias of information estimates*,
+//! 1955). Maxwell's distribution has ln(m/2πkT) − 1; rings of a finite area see a value that is lower by about δ²/24,
+//! which the column `maxwell` allows for. Rings are to hold many discs each: fewer than a thousand want wider ones. At
+//! equal speeds the energy is kT, which no ring of the default area begins with. H is per disc; discs of unequal masses
+//! count with v √(m/m̄).
 
 use super::events::EventSums;
 use super::observable::Measure;

@@ -1,8 +1,8 @@
 //! Kinetic energy over time, and Haff's law of inelastic gases.
 //!
 //! While the gas is homogeneous, kT = kT₀/[1 + (1 − e²) ν₀ t/4]² in two dimensions, from a loss of (1 − e²) kT in each
-//! collision; ν₀ is the collision rate of a disc at the first sample, which the equation of state gives (P. K. Haff, *Grain
-//! flow as a fluid-mechanical phenomenon*, J. Fluid Mech. 134, 401, 1983).
+//! collision; ν₀ is the collision rate of a disc at the first sample, which the equation of state gives (P. K. Haff,
+//! *Grain flow as a fluid-mechanical phenomenon*, J. Fluid Mech. 134, 401, 1983).
 
 use super::error::{ObserveError, unfit};
 use super::events::EventSums;

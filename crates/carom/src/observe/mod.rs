@@ -1,8 +1,8 @@
 //! What is measured of a gas of discs while it runs: sums only, never the run.
 //!
-//! [`Observables`] are made from names and options, told of the run's events, and shown a [`Snapshot`] at equal intervals.
-//! What they find are numbers and curves with errors ([`Results`]). Formulas are those of equal masses and diameters,
-//! kT in the run's own units of energy; where discs differ, each observable says what it does.
+//! [`Observables`] are made from names and options, told of the run's events, and shown a [`Snapshot`] at equal
+//! intervals. What they find are numbers and curves with errors ([`Results`]). Formulas are those of equal masses and
+//! diameters, kT in the run's own units of energy; where discs differ, each observable says what it does.
 //!
 //! | name | what it is | options |
 //! |---|---|---|
@@ -17,8 +17,8 @@
 //! | `psi6` | order of directions to neighbours | |
 //! | `kinetic_energy` | energy over time, beside Haff's law | `points`, `restitution` |
 //!
-//! Another observable is a file that implements `Measure`, a variant and a name in `observable.rs`, and a line here. What is
-//! summed at events is in `events.rs` alone, and is handed on at samples.
+//! Another observable is a file that implements `Measure`, a variant and a name in `observable.rs`, and a line here.
+//! What is summed at events is in `events.rs` alone, and is handed on at samples.
 
 mod blocks;
 mod collision_rate;

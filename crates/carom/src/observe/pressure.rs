@@ -1,9 +1,9 @@
 //! Temperature and pressure: from the collisions (the virial) and from the walls.
 //!
 //! Z = PA/(N kT) = 1 + Σ J (r_a + r_b)/(2 N kT t) over the collisions of a time t, with impulses J. Independently, the
-//! walls feel ΣJ over their length and t. In a box with walls the two differ: centres keep a radius r from a wall, so that
-//! in a square of side L the wall's Z is the virial's times L/(L − 2r), and both hold effects of the walls. The walls are the
-//! sides of the rectangle; impulses at anything else that stands in it would be taken for theirs.
+//! walls feel ΣJ over their length and t. In a box with walls the two differ: centres keep a radius r from a wall, so
+//! that in a square of side L the wall's Z is the virial's times L/(L − 2r), and both hold effects of the walls. The
+//! walls are the sides of the rectangle; impulses at anything else that stands in it would be taken for theirs.
 
 use super::blocks::Blocks;
 use super::events::EventSums;

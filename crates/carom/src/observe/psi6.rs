@@ -3,9 +3,9 @@
 //! ψ₆ of a disc is the mean of exp(6iθ) over its Voronoi neighbours, θ being the direction to each, weighted with the
 //! length of the edge between the two cells. So it changes steadily when neighbours come and go, which a mean over
 //! Delaunay bonds of equal weight does not, nor one over the nearest six (W. Mickel, S. C. Kapfer, G. E. Schröder-Turk,
-//! K. Mecke, *Shortcomings of the bond orientational order parameters for the analysis of disordered particulate matter*,
-//! J. Chem. Phys. 138, 044501, 2013). It is 1 in a triangular lattice and 0 in a square one. Cells end at walls, which
-//! count as no neighbour.
+//! K. Mecke, *Shortcomings of the bond orientational order parameters for the analysis of disordered particulate
+//! matter*, J. Chem. Phys. 138, 044501, 2013). It is 1 in a triangular lattice and 0 in a square one. Cells end at
+//! walls, which count as no neighbour.
 
 use super::blocks::Blocks;
 use super::events::EventSums;

@@ -1,13 +1,13 @@
 //! The radial distribution g(r), and its value at contact.
 //!
-//! g(r) is the mean number of centres in a ring about a disc, over the ring's area and the density. Along a periodic axis
-//! the ring goes on beyond the side, and may be no wider than half of it (so each pair counts once, by its minimum image).
-//! With a wall only those discs count as middles whose rings stay where centres can be: at least the range and a mean
-//! radius from it. Everybody counts as their neighbour. The density is N over the area in a periodic box (so that N points
-//! without any forces give 1 − 1/N), and with walls the density of the middles.
+//! g(r) is the mean number of centres in a ring about a disc, over the ring's area and the density. Along a periodic
+//! axis the ring goes on beyond the side, and may be no wider than half of it (so each pair counts once, by its minimum
+//! image). With a wall only those discs count as middles whose rings stay where centres can be: at least the range and
+//! a mean radius from it. Everybody counts as their neighbour. The density is N over the area in a periodic box (so
+//! that N points without any forces give 1 − 1/N), and with walls the density of the middles.
 //!
-//! The bins are laid so that one of their edges is the diameter. The value at contact is that of the cubic that fits the
-//! bins of the first tenth of a diameter beyond it (or the first eight bins) best. In equilibrium Z = 1 + 2η g(σ).
+//! The bins are laid so that one of their edges is the diameter. The value at contact is that of the cubic that fits
+//! the bins of the first tenth of a diameter beyond it (or the first eight bins) best. In equilibrium Z = 1 + 2η g(σ).
 
 use super::blocks::Blocks;
 use super::error::{ObserveError, unfit};

@@ -61,8 +61,8 @@ impl Observables {
     ///
     /// # Errors
     ///
-    /// A snapshot that contradicts itself or is of another gas, one that does not come in time, and at the first one a gas
-    /// of which something cannot be observed.
+    /// A snapshot that contradicts itself or is of another gas, one that does not come in time, and at the first one a
+    /// gas of which something cannot be observed.
     pub fn sample(&mut self, snapshot: &Snapshot) -> Result<(), ObserveError> {
         snapshot.check()?;
         let due = match &self.course {

@@ -2,8 +2,8 @@
 //!
 //! # References
 //!
-//! J. Kolafa, M. Rottner, *Simulation-based equation of state of the hard disk fluid*, Mol. Phys. 104, 3435 (2006): a fit
-//! in powers of x = η/(1 − η), for packing fractions η up to 0.699.
+//! J. Kolafa, M. Rottner, *Simulation-based equation of state of the hard disk fluid*, Mol. Phys. 104, 3435 (2006): a
+//! fit in powers of x = η/(1 − η), for packing fractions η up to 0.699.
 
 /// The largest packing fraction of the fit: at more the fluid begins to freeze.
 const LARGEST: f64 = 0.699;

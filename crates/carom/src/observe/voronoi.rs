@@ -80,7 +80,8 @@ impl<'a> Voronoi<'a> {
         self.corners.extend(places.map(corner));
     }
 
-    /// Those within reach, nearest first; of equally near ones those of lower number, and the rest in order of direction.
+    /// Those within reach, nearest first; of equally near ones those of lower number, and the rest in order of
+    /// direction.
     fn gather(&mut self, centre: [f64; 2], reach: f64) {
         let Self { near, grid, .. } = self;
         near.clear();

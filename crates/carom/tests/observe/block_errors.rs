@@ -32,8 +32,8 @@ fn the_error_of_independent_values_is_that_of_their_scatter() {
 
 #[test]
 fn the_error_of_a_correlated_series_is_the_exact_one() {
-    // 38 times the variance that the scatter alone would tell. Blocks of some 512 among 2^16 values miss 2 % of the error,
-    // and each series knows it to 6 %.
+    // 38 times the variance that the scatter alone would tell. Blocks of some 512 among 2^16 values miss 2 % of the
+    // error, and each series knows it to 6 %.
     let ratio = ratio_to_the_exact_error(0.95, 1 << 16, 40);
     assert!((ratio - 1.0).abs() < 0.06, "{ratio}");
 }

@@ -31,8 +31,8 @@ impl Gas {
         Self::new(size, periods, (0..count).map(place).collect())
     }
 
-    /// A triangular lattice of `2 * rows` rows with `columns` sites each, all of the box, and shifted so that sites lie on
-    /// its sides and beyond them.
+    /// A triangular lattice of `2 * rows` rows with `columns` sites each, all of the box, and shifted so that sites lie
+    /// on its sides and beyond them.
     pub fn triangular(spacing: f64, columns: usize, rows: usize) -> Self {
         let height = 3.0_f64.sqrt() * spacing;
         let size = [spacing * columns as f64, height * rows as f64];

@@ -61,6 +61,7 @@ fn what_is_kept_does_not_grow_with_the_run() {
         sizes.push(saved(&observables).len());
         observables
     });
-    // Levels of blocks and curves over time grow with the logarithm, up to their bounds; the diffusion's origins are first.
+    // Levels of blocks and curves over time grow with the logarithm, up to their bounds; the diffusion's origins are
+    // first.
     assert!(sizes[45] < 3 * sizes[10], "{sizes:?}");
 }

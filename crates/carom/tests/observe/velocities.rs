@@ -167,7 +167,8 @@ fn a_profile_has_the_temperature_and_the_density_of_each_strip() {
     assert_eq!(y, [1.5, 4.5, 7.5, 10.5]);
     for strip in 0..4 {
         let (truth, discs) = if strip < 2 { (1.0, 200.0) } else { (3.0, 400.0) };
-        // The drift takes a 600th of the heat along x, which the degrees of freedom give back; across strips it is another.
+        // The drift takes a 600th of the heat along x, which the degrees of freedom give back; across strips it is
+        // another.
         assert!((temperature[strip] - truth).abs() < 5.0 * error[strip] + 0.003, "{temperature:?} {error:?}");
         assert!(error[strip] < 0.01 * truth);
         assert!((density[strip] - discs / 60.0).abs() < 5.0 * density_error[strip], "{density:?}");

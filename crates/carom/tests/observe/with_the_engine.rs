@@ -20,7 +20,8 @@ fn scenario() -> Scenario {
     velocities.iter_mut().for_each(|velocity| *velocity = *velocity * (2.0 * DISCS as f64 / energy).sqrt());
     let ball = |(k, velocity): (usize, &Vec2<f64>)| {
         let place = [1.0 + 2.0 * (k % 14) as f64, 1.0 + 2.0 * (k / 14) as f64];
-        json!({ "id": format!("d{k}"), "radius": 0.5, "mass": 1.0, "position": place, "velocity": velocity.to_f64() })
+        json!({ "id": format!("d{k}"), "radius": 0.5, "mass": 1.0, "position": place,
+            "velocity": velocity.to_f64() })
     };
     let balls: Vec<_> = velocities.iter().enumerate().map(ball).collect();
     let table = json!({ "shape": "rectangle", "width": SIDE, "length": SIDE });
