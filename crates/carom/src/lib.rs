@@ -7,6 +7,7 @@ pub mod flight;
 pub mod geometry;
 pub mod law;
 pub mod model;
+pub mod observe;
 pub mod random;
 pub mod roots;
 pub mod run;

@@ -14,7 +14,7 @@ const ROWS: [&[&str]; 10] = [
     &["detect", "law"],
     &["scenario"],
     &["aim", "run"],
-    &["engine", "stepped"],
+    &["engine", "observe", "stepped"],
     &["simulate"],
 ];
 

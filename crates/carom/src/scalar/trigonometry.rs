@@ -41,6 +41,11 @@ pub fn other_leg<S: Scalar>(leg: S) -> S {
     if squared > S::ZERO { squared.sqrt() } else { S::ZERO }
 }
 
+/// The natural logarithm: −∞ of zero, not a number of less.
+pub fn ln(x: f64) -> f64 {
+    libm::log(x)
+}
+
 /// The angle in radians, from 0 to π, whose cosine this is.
 pub fn arccos<S: Scalar>(cos: S) -> S {
     S::angle(cos, other_leg(cos))

@@ -1,0 +1,13 @@
+//! What is measured of a gas, against closed forms.
+
+#![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod block_errors;
+mod kit;
+mod motion;
+mod pressures;
+mod requests;
+mod resumption;
+mod structure;
+mod velocities;
+mod with_the_engine;
