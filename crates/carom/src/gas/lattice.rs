@@ -203,7 +203,9 @@ impl Lattice {
         let (size, steps, tight) = (space.size[axis], self.steps(axis), self.tight(axis));
         if space.periodic[axis] {
             let spacing = size / [self.columns, self.rows][axis] as f64;
-            return Spread { first: 0.25 * spacing, spacing };
+            // As far from the lower side as the last place, shifted, is from the upper one.
+            let shift = [self.kind.shift(), 0.0][axis];
+            return Spread { first: 0.5 * (1.0 - shift) * spacing, spacing };
         }
         let room = size - self.diameter;
         let spacing = (room + 2.0 * tight) / (steps + 2.0);

@@ -7,9 +7,9 @@
 //! ```
 //!
 //! which is a quadratic gap like that of discs which keep their size. At a contact the edges approach at σ g − w·n, with n
-//! from the first disc to the second, and part at the same speed (B. Lubachevsky, F. Stillinger, *Geometric properties of
-//! random disk packings*, J. Stat. Phys. 60 (1990) 561): elastic, as seen from the growing edges. All discs have equal masses here, whatever theirs will be: the motion
-//! only finds them places.
+//! from the first disc to the second, and part at the same speed: elastic, as seen from the growing edges (B. Lubachevsky,
+//! F. Stillinger, *Geometric properties of random disk packings*, Journal of Statistical Physics 60 (1990) 561–583). All
+//! discs have equal masses here, whatever theirs will be: the motion only finds them places.
 
 use super::super::cells::{Cell, Cells};
 use super::super::space::Space;

@@ -2,8 +2,8 @@
 //!
 //! The method is that of Lubachevsky and Stillinger. Growing discs hit each other ever harder, so after a few collisions
 //! each their speeds are scaled back. The slower they grow, the better they find their order: up to a packing fraction of
-//! 0.6 they may be fast, beyond it slow, and where they jam before the density asked for, all begins anew ten times as
-//! slowly.
+//! 0.6 they may be fast, beyond it slow, and where they jam before the density asked for, all begins anew ten times as slowly.
+//! So a density that cannot be reached takes long to be refused: a minute and more for ten thousand discs.
 
 mod growth;
 mod queue;
@@ -23,14 +23,20 @@ const LOOSE: [f64; 4] = [0.35, 0.2, 0.1, 0.01];
 /// the rate.
 const RATES: [(f64, f64); 2] = [(0.6, 0.1), (1.0, 0.01)];
 
-/// How fast discs grow in the first trial and in the next, over those rates.
-const TRIALS: [f64; 2] = [1.0, 0.1];
+/// How fast discs grow in the trials after the first, over those rates.
+const SLOW: f64 = 0.1;
+
+/// Up to this many discs there are more slow trials: small boxes jam by chance, and cost next to nothing.
+const FEW: usize = 100;
+
+/// The slow trials of few discs, and of many.
+const SLOW_TRIALS: [usize; 2] = [10, 1];
 
 /// Collisions between two scalings of the speeds: of each disc, and of all at least.
 const COLLISIONS: [usize; 2] = [2, 50];
 
-/// Discs have jammed when their collisions, on the way that is left to grow, would be more than this many for each thermal
-/// speed over growth: where there is room they would be about two.
+/// Discs have jammed when the collisions of one in a unit of time, times what it is still to grow, are more than this, with
+/// thermal speed, mean diameter and final size as units. Of discs that grow up it is about two at the end.
 const JAMMED: f64 = 100.0;
 
 /// Discs grow beyond their final size by this part of it, and so keep a distance that no rounding comes near.
@@ -54,7 +60,8 @@ pub(super) fn places(space: Space, radii: &[f64], fraction: f64, seed: u64) -> R
     let crowd = Crowd { space, radii, diameter, mean, fraction };
     let mut random = Random::new(seed, "gas.places");
     let mut largest = 0.0;
-    for slowness in TRIALS {
+    let slow = SLOW_TRIALS[usize::from(radii.len() > FEW)];
+    for slowness in core::iter::once(1.0).chain(core::iter::repeat_n(SLOW, slow)) {
         match crowd.loose(&mut random).and_then(|(discs, scale)| crowd.grown(discs, scale, slowness)) {
             Ok(places) => return Ok(places),
             Err(scale) => largest = scale.max(largest),
