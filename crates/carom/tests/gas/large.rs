@@ -6,16 +6,11 @@ use std::time::Instant;
 
 fn report(recipe: &Recipe) {
     let begin = Instant::now();
-    let start = make(recipe);
+    let start = make(recipe).unwrap_or_else(|error| panic!("{recipe:?}: {error}"));
     let seconds = begin.elapsed().as_secs_f64();
-    let Recipe { count, packing_fraction, start: kind, .. } = recipe;
-    match start {
-        Ok(start) => {
-            check(recipe, &start);
-            println!("{count:8} at {packing_fraction} {kind:?}: {seconds:.2} s");
-        }
-        Err(error) => println!("{count:8} at {packing_fraction} {kind:?}: {seconds:.2} s, {error}"),
-    }
+    check(recipe, &start);
+    let Recipe { count, packing_fraction, start, .. } = recipe;
+    println!("{count:8} at {packing_fraction} {start:?}: {seconds:.2} s");
 }
 
 #[test]
