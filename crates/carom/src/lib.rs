@@ -4,6 +4,7 @@ pub mod aim;
 pub mod detect;
 pub mod engine;
 pub mod flight;
+pub mod gas;
 pub mod geometry;
 pub mod law;
 pub mod model;

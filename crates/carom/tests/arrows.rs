@@ -5,13 +5,14 @@
 use std::path::{Path, PathBuf};
 
 /// Rooms in order; rooms of one row do not know each other.
-const ROWS: [&[&str]; 10] = [
+const ROWS: [&[&str]; 11] = [
     &["scalar"],
     &["geometry"],
     &["roots"],
     &["model"],
     &["flight"],
     &["detect", "law"],
+    &["gas"],
     &["scenario"],
     &["aim", "run"],
     &["engine", "observe", "stepped"],
