@@ -1,0 +1,143 @@
+"""The blocks of a GSD file, version 2: to put a file back as it was, and to save what a cut one still holds.
+
+A header of 256 bytes says where the index and the list of names lie. An entry of the index, 32 bytes, says where a
+chunk of a frame lies; the first entry with place 0 ends it. The index stands at byte 256 first; when it is full, one
+twice as long is begun at the end of the file, and the old one is left where it was.
+
+The layout is that of the GSD documentation, "File layer".
+"""
+
+from __future__ import annotations
+
+import mmap
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import RecordError
+from carom.files import replacing
+
+MAGIC = 0x65DF65DF65DF65DF
+HEADER = np.dtype(
+    [
+        ("magic", "<u8"),
+        ("index", "<u8"),
+        ("entries", "<u8"),
+        ("names", "<u8"),
+        ("name_blocks", "<u8"),
+        ("versions", "<u4", 2),
+        ("application", "S64"),
+        ("schema", "S64"),
+        ("reserved", "S80"),
+    ]
+)
+ENTRY = np.dtype(
+    [
+        ("frame", "<u8"),
+        ("rows", "<u8"),
+        ("place", "<u8"),
+        ("columns", "<u4"),
+        ("name", "<u2"),
+        ("kind", "u1"),
+        ("flags", "u1"),
+    ]
+)
+BYTES = np.array([0, 1, 2, 4, 8, 1, 2, 4, 8, 4, 8, 1], dtype=np.uint64)
+"""The size of a number of each kind: none, uint8 to uint64, int8 to int64, float32, float64, character."""
+FIRST_INDEX, FIRST_ENTRIES = HEADER.itemsize, 128
+FIRST_NAMES = FIRST_INDEX + FIRST_ENTRIES * ENTRY.itemsize
+NAME_BLOCK, FIRST_NAME_BLOCKS = 64, 16
+
+
+@contextmanager
+def restoring(path: Path) -> Iterator[None]:
+    """Put a file back as it was when the block raises: its header, its index and names, and its length.
+
+    When a disk is full while the index grows, gsd (up to 5.0 at least) goes on and writes the new entries over the
+    first ones. All that is changed in place is kept in memory here, and needs no room on the disk to be put back.
+    """
+    with path.open("rb") as file:
+        header = file.read(HEADER.itemsize)
+        size = file.seek(0, os.SEEK_END)
+        said = np.frombuffer(header, HEADER)[0]
+        blocks = [(0, header)]
+        for start, length in (
+            (int(said["index"]), int(said["entries"]) * ENTRY.itemsize),
+            (int(said["names"]), int(said["name_blocks"]) * NAME_BLOCK),
+        ):
+            file.seek(start)
+            blocks.append((start, file.read(length)))
+    try:
+        yield
+    except BaseException:
+        with path.open("r+b") as file:
+            for start, block in blocks:
+                file.seek(start)
+                file.write(block)
+            file.truncate(size)
+            file.flush()
+            os.fsync(file.fileno())
+        raise
+
+
+def recover_gsd(path: Path, to: Path) -> int:
+    """Copy a cut GSD file up to its last whole frame; give how many frames that are."""
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        header = np.frombuffer(file.read(HEADER.itemsize).ljust(HEADER.itemsize, b"\0"), HEADER).copy()
+        if size < FIRST_NAMES + FIRST_NAME_BLOCKS * NAME_BLOCK or header["magic"][0] != MAGIC:
+            raise RecordError([(str(path), "is no GSD file, or was cut before its first frame: nothing to recover")])
+        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as held:
+            _find_index(header[0], held)
+            start, most = int(header["index"][0]), int(header["entries"][0])
+            available = min(most, (size - start) // ENTRY.itemsize)
+            entries = np.frombuffer(held[start : start + available * ENTRY.itemsize], ENTRY)
+            frames, kept = _whole_frames(entries, held, is_all=available == most)
+    with replacing(to) as temporary:
+        shutil.copyfile(path, temporary)
+        with temporary.open("r+b") as file:
+            file.write(header.tobytes())
+            file.seek(start)
+            file.write(entries[:kept].tobytes().ljust(most * ENTRY.itemsize, b"\0"))
+    return frames
+
+
+def _find_index(header: NDArray[np.void], held: mmap.mmap) -> None:
+    """Let a header whose index or names were cut off lead to the longest ones that are left."""
+    if header["names"] + header["name_blocks"] * NAME_BLOCK > len(held):
+        header["names"], header["name_blocks"] = FIRST_NAMES, FIRST_NAME_BLOCKS
+    if header["index"] < len(held):
+        return
+    # Older indices stay where they were, and begin with the same entries; each is twice as long as the one before.
+    beginning = held[FIRST_INDEX : FIRST_INDEX + 4 * ENTRY.itemsize]
+    place, entries = FIRST_INDEX, FIRST_ENTRIES
+    while (later := held.find(beginning, place + 1)) > 0:
+        place, entries = later, entries * 2
+    header["index"], header["entries"] = place, entries
+
+
+def _whole_frames(entries: NDArray[np.void], held: mmap.mmap, *, is_all: bool) -> tuple[int, int]:
+    """Give how many frames have all their chunks, and how many entries these have.
+
+    Where entries may be missing at the end the last frame is not counted, as nobody knows how many it had.
+    """
+    ends = np.flatnonzero(entries["place"] == 0)
+    is_all = is_all and len(ends) > 0
+    used = entries[: ends[0]] if len(ends) else entries
+    kinds = np.minimum(used["kind"], len(BYTES) - 1)
+    last_bytes = used["place"] + used["rows"] * used["columns"] * BYTES[kinds]
+    wrong = (last_bytes > len(held)) | (used["kind"] >= len(BYTES)) | (used["kind"] == 0) | (used["flags"] != 0)
+    wrong[1:] |= used["frame"][1:] < used["frame"][:-1]
+    if wrong.any():
+        # Entries are in order of frames; the first that leads nowhere ends what is whole.
+        frames = int(used["frame"][np.argmax(wrong)])
+    elif len(used) == 0:
+        frames = 0
+    else:
+        frames = int(used["frame"][-1]) + is_all
+    return frames, int(np.searchsorted(used["frame"], frames))
