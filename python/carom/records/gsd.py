@@ -21,7 +21,7 @@ from carom.errors import RecordError
 from carom.extras import needed
 from carom.files import replacing
 from carom.records.boxes import centred, species
-from carom.records.gsd_blocks import restoring
+from carom.records.gsd_blocks import check_room, restoring
 from carom.records.outside import Assumed, flat, flat_box, in_box, repeated
 from carom.records.snapshot import Snapshot, same_bits
 from carom.records.writing import SnapshotWriter
@@ -65,7 +65,9 @@ class GsdWriter(SnapshotWriter):
 
     def _append(self, snapshot: Snapshot) -> None:
         chunks = chunks_of(snapshot)
+        room = sum(chunk.nbytes for chunk in chunks.values())
         if self._frames == 0:
+            check_room(self.path.absolute(), room)
             with replacing(self.path) as temporary, _opened(temporary, "x") as file:
                 self._write(file, chunks)
             self._first = {name: chunk for name, chunk in chunks.items() if name in CONSTANT}
@@ -76,7 +78,7 @@ class GsdWriter(SnapshotWriter):
         for name in CONSTANT:
             if same_discs and name in chunks and same_bits(self._first.get(name), chunks[name]):
                 del chunks[name]
-        with restoring(self.path), _opened(self.path, "r+") as file:
+        with restoring(self.path, room), _opened(self.path, "r+") as file:
             if file.nframes != self._frames:
                 raise RecordError([("", f"the file has {file.nframes} frames: something else wrote to it")])
             self._write(file, chunks)

@@ -9,6 +9,7 @@ The layout is that of the GSD documentation, "File layer".
 
 from __future__ import annotations
 
+import errno
 import mmap
 import os
 import shutil
@@ -52,14 +53,23 @@ BYTES = np.array([0, 1, 2, 4, 8, 1, 2, 4, 8, 4, 8, 1], dtype=np.uint64)
 FIRST_INDEX, FIRST_ENTRIES = HEADER.itemsize, 128
 FIRST_NAMES = FIRST_INDEX + FIRST_ENTRIES * ENTRY.itemsize
 NAME_BLOCK, FIRST_NAME_BLOCKS = 64, 16
+MARGIN = 65_536  # for the names and the pieces that a disk is parted in
 
 
 @contextmanager
-def restoring(path: Path) -> Iterator[None]:
+def restoring(path: Path, room: int) -> Iterator[None]:
     """Put a file back as it was when the block raises: its header, its index and names, and its length.
 
-    When a disk is full while the index grows, gsd (up to 5.0 at least) goes on and writes the new entries over the
-    first ones. All that is changed in place is kept in memory here, and needs no room on the disk to be put back.
+    When the index cannot grow, gsd (up to 5.0 at least) goes on and writes the new entries over the first ones. All
+    that is changed in place is kept in memory here, and needs no room on the disk to be put back.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    room : int
+        How many bytes will be added; too little of it is found out beforehand, with room for the index twice as long.
+        For gsd reads a new index through memory, and a full disk that is memory itself kills the process then.
     """
     with path.open("rb") as file:
         header = file.read(HEADER.itemsize)
@@ -72,6 +82,7 @@ def restoring(path: Path) -> Iterator[None]:
         ):
             file.seek(start)
             blocks.append((start, file.read(length)))
+    check_room(path, room + 2 * int(said["entries"]) * ENTRY.itemsize)
     try:
         yield
     except BaseException:
@@ -83,6 +94,12 @@ def restoring(path: Path) -> Iterator[None]:
             file.flush()
             os.fsync(file.fileno())
         raise
+
+
+def check_room(path: Path, needed: int) -> None:
+    """Raise the error of a full disk if there is less room than this, and a little more, where a file is."""
+    if shutil.disk_usage(path.parent).free < needed + MARGIN:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path))
 
 
 def recover_gsd(path: Path, to: Path) -> int:
