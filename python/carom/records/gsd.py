@@ -7,6 +7,7 @@ disc. OVITO shows them, and `gsd.hoomd` gives them in `frame.log`.
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from importlib import import_module
@@ -276,7 +277,10 @@ def _opened(path: Path, mode: str) -> Iterator[Any]:
         with suppress(OSError, RuntimeError):
             file.close()
         raise
-    file.close()
+    try:
+        file.close()
+    except RuntimeError as error:  # what it says when its index could not grow
+        raise OSError(errno.EIO, f"gsd could not finish the frame ({error})", str(path)) from error
 
 
 @contextmanager
