@@ -109,52 +109,53 @@ def recover_gsd(path: Path, to: Path) -> int:
         header = np.frombuffer(file.read(HEADER.itemsize).ljust(HEADER.itemsize, b"\0"), HEADER).copy()
         if size < FIRST_NAMES + FIRST_NAME_BLOCKS * NAME_BLOCK or header["magic"][0] != MAGIC:
             raise RecordError([(str(path), "is no GSD file, or was cut before its first frame: nothing to recover")])
+        if header["names"][0] + header["name_blocks"][0] * NAME_BLOCK > size:
+            header["names"], header["name_blocks"] = FIRST_NAMES, FIRST_NAME_BLOCKS
         with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as held:
-            _find_index(header[0], held)
-            start, most = int(header["index"][0]), int(header["entries"][0])
-            available = min(most, (size - start) // ENTRY.itemsize)
-            entries = np.frombuffer(held[start : start + available * ENTRY.itemsize], ENTRY)
-            frames, kept = _whole_frames(entries, held, is_all=available == most)
+            said = int(header["index"][0]), int(header["entries"][0])
+            places = [place for place in (said, *_indices(held)) if place[0] < size]
+            frames, entries, start, most = max(
+                (_whole_frames(held, *place) for place in places), key=lambda found: found[0]
+            )
+    if frames == 0:
+        raise RecordError([(str(path), "has no whole frame: nothing to recover")])
+    header["index"], header["entries"] = start, most
     with replacing(to) as temporary:
         shutil.copyfile(path, temporary)
         with temporary.open("r+b") as file:
             file.write(header.tobytes())
             file.seek(start)
-            file.write(entries[:kept].tobytes().ljust(most * ENTRY.itemsize, b"\0"))
+            file.write(entries.tobytes().ljust(most * ENTRY.itemsize, b"\0"))
     return frames
 
 
-def _find_index(header: NDArray[np.void], held: mmap.mmap) -> None:
-    """Let a header whose index or names were cut off lead to the longest ones that are left."""
-    if header["names"] + header["name_blocks"] * NAME_BLOCK > len(held):
-        header["names"], header["name_blocks"] = FIRST_NAMES, FIRST_NAME_BLOCKS
-    if header["index"] < len(held):
-        return
-    # Older indices stay where they were, and begin with the same entries; each is twice as long as the one before.
+def _indices(held: mmap.mmap) -> Iterator[tuple[int, int]]:
+    """Give where each index of a file lies, and how many entries it has room for.
+
+    Older ones stay where they were. All begin with the same entries, and each is twice as long as the one before.
+    """
     beginning = held[FIRST_INDEX : FIRST_INDEX + 4 * ENTRY.itemsize]
     place, entries = FIRST_INDEX, FIRST_ENTRIES
-    while (later := held.find(beginning, place + 1)) > 0:
-        place, entries = later, entries * 2
-    header["index"], header["entries"] = place, entries
+    while place > 0:
+        yield place, entries
+        place, entries = held.find(beginning, place + 1), entries * 2
 
 
-def _whole_frames(entries: NDArray[np.void], held: mmap.mmap, *, is_all: bool) -> tuple[int, int]:
-    """Give how many frames have all their chunks, and how many entries these have.
+def _whole_frames(held: mmap.mmap, start: int, most: int) -> tuple[int, NDArray[np.void], int, int]:
+    """Give how many frames have all their chunks, their entries, and once more where the index lies.
 
     Where entries may be missing at the end the last frame is not counted, as nobody knows how many it had.
     """
-    ends = np.flatnonzero(entries["place"] == 0)
-    is_all = is_all and len(ends) > 0
-    used = entries[: ends[0]] if len(ends) else entries
+    available = min(most, (len(held) - start) // ENTRY.itemsize)
+    listed = np.frombuffer(held[start : start + available * ENTRY.itemsize], ENTRY)
+    ends = np.flatnonzero(listed["place"] == 0)
+    used = listed[: ends[0]] if len(ends) else listed
     kinds = np.minimum(used["kind"], len(BYTES) - 1)
     last_bytes = used["place"] + used["rows"] * used["columns"] * BYTES[kinds]
     wrong = (last_bytes > len(held)) | (used["kind"] >= len(BYTES)) | (used["kind"] == 0) | (used["flags"] != 0)
     wrong[1:] |= used["frame"][1:] < used["frame"][:-1]
-    if wrong.any():
-        # Entries are in order of frames; the first that leads nowhere ends what is whole.
+    if wrong.any():  # entries are in order of frames; the first that leads nowhere ends what is whole
         frames = int(used["frame"][np.argmax(wrong)])
-    elif len(used) == 0:
-        frames = 0
     else:
-        frames = int(used["frame"][-1]) + is_all
-    return frames, int(np.searchsorted(used["frame"], frames))
+        frames = int(used["frame"][-1]) + (len(ends) > 0) if len(used) else 0
+    return frames, used[: np.searchsorted(used["frame"], frames)], start, most
