@@ -49,13 +49,18 @@ def test_frames_come_back_with_their_bits(tmp_path: Path, suffix: str, kind: dic
 
 
 def test_velocities_at_the_ends_of_what_numbers_can_be_come_back(tmp_path: Path, suffix: str) -> None:
-    if suffix == ".gsd":
-        edges = [edge for edge in EDGES if abs(edge) < 1e38]  # what HOOMD's float32 can hold
-    else:
-        edges = EDGES
+    # HOOMD's float32 holds less, and Carom refuses what it cannot hold.
+    edges = [edge for edge in EDGES if suffix != ".gsd" or edge < 1e38]
     count = len(edges)
     snapshot = Snapshot(
-        5e-324, 2**62, (0.1, 1.0 / 3.0), (True, True), np.zeros((count, 2)), np.array([edges, edges]).T, np.zeros(count), np.ones(count)
+        5e-324,
+        2**62,
+        (0.1, 1.0 / 3.0),
+        (True, True),
+        np.zeros((count, 2)),
+        np.array([edges, edges]).T,
+        np.zeros(count),
+        np.ones(count),
     )
     written(tmp_path / f"gas{suffix}", [snapshot])
     assert read_snapshot(tmp_path / f"gas{suffix}") == snapshot
@@ -130,9 +135,7 @@ def test_what_something_else_wrote_in_between_is_noticed(tmp_path: Path) -> None
         assert list(frames(path)) == [gas(0), gas(1)]
 
 
-def test_a_full_disk_is_told_and_costs_no_frame(
-    tmp_path: Path, suffix: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_full_disk_is_told_and_costs_no_frame(tmp_path: Path, suffix: str, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / f"gas{suffix}"
     snapshots = written(path, [gas(0), gas(1)])
     before = content_hash(path)
@@ -169,11 +172,9 @@ def test_a_file_that_may_not_grow_is_as_it_was(tmp_path: Path, suffix: str) -> N
             resource.setrlimit(resource.RLIMIT_FSIZE, (len(before) + room, unlimited[1]))
             try:
                 writer.write(snapshot)
-            except RecordError as error:
-                assert "not written" in str(error)
-                assert path.read_bytes() == before
-            else:
                 break
+            except RecordError:
+                assert path.read_bytes() == before
             finally:
                 resource.setrlimit(resource.RLIMIT_FSIZE, unlimited)
         else:
@@ -227,4 +228,3 @@ def test_only_what_can_be_cut_is_recovered(tmp_path: Path) -> None:
         recover(tmp_path / "gas.parquet", tmp_path / "saved.parquet")
     with pytest.raises(RecordError, match="no such file"):
         recover(tmp_path / "missing.xyz", tmp_path / "saved.xyz")
-

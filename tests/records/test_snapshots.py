@@ -44,7 +44,10 @@ def test_arrays_are_copies_that_cannot_be_written_to() -> None:
         ({"size": 4.0}, "size: must be of shape (2,), got ()"),
         ({"periodic": (1, 0)}, "periodic: must be two of True and False, got (1, 0)"),
         ({"positions": [[1, 1], [2, np.nan]]}, "positions[1, 1]: must be finite, got nan"),
-        ({"positions": np.zeros((0, 2)), "velocities": np.zeros((0, 2)), "radii": [], "masses": []}, "at least one disc"),
+        (
+            {"positions": np.zeros((0, 2)), "velocities": np.zeros((0, 2)), "radii": [], "masses": []},
+            "at least one disc",
+        ),
         ({"velocities": [[1, 0, 0], [0, 0, 0]]}, "velocities: must be of shape (2, 2), got (2, 3)"),
         ({"velocities": [["a", "b"], ["c", "d"]]}, "velocities: must be real numbers, got <U1"),
         ({"radii": [0.5, -0.1]}, "radii[1]: must be zero or positive and finite, got -0.1"),

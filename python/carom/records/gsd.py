@@ -22,14 +22,13 @@ from carom.errors import RecordError
 from carom.extras import needed
 from carom.files import replacing
 from carom.records.boxes import centred, species
-from carom.records.gsd_blocks import check_room, restoring
+from carom.records.gsd_blocks import COUNT, check_room, restoring
 from carom.records.outside import Assumed, flat, flat_box, in_box, repeated
 from carom.records.snapshot import Snapshot, same_bits
 from carom.records.writing import SnapshotWriter
 
 SUFFIXES = (".gsd",)
 SCHEMA, SCHEMA_VERSION = "hoomd", (1, 4)
-COUNT = "log/carom/chunks"
 IDS = "carom/ids"
 Chunks = dict[str, NDArray[Any]]
 
@@ -114,16 +113,16 @@ def chunks_of(snapshot: Snapshot) -> Chunks:
     positions, images = centred(snapshot)
     names, typeid = species(snapshot.radii, snapshot.masses)
     velocities = np.zeros((len(snapshot), 3), dtype=np.float32)
-    velocities[:, :2] = snapshot.velocities
+    velocities[:, :2] = _single("velocities", snapshot.velocities)
     chunks: Chunks = {
         "configuration/step": np.array([snapshot.events], dtype=np.uint64),
         "configuration/dimensions": np.array([2], dtype=np.uint8),
-        "configuration/box": np.array([*snapshot.size, 0, 0, 0, 0], dtype=np.float32),
+        "configuration/box": np.array([*_single("size", snapshot.size), 0, 0, 0, 0], dtype=np.float32),
         "particles/N": np.array([len(snapshot)], dtype=np.uint32),
         "particles/types": _texts(names),
         "particles/typeid": typeid,
-        "particles/mass": snapshot.masses.astype(np.float32),
-        "particles/diameter": (2.0 * snapshot.radii).astype(np.float32),
+        "particles/mass": _single("masses", snapshot.masses),
+        "particles/diameter": _single("radii", 2.0 * snapshot.radii),
         "particles/position": positions,
         "particles/velocity": velocities,
         "particles/image": images,
@@ -140,6 +139,13 @@ def chunks_of(snapshot: Snapshot) -> Chunks:
     if snapshot.ids is not None:
         chunks[IDS] = _texts(snapshot.ids)
     return chunks
+
+
+def _single(name: str, values: NDArray[np.float64]) -> NDArray[np.float32]:
+    """Give values in the precision that HOOMD-blue has, for what fits in."""
+    if np.abs(values).max() > np.finfo(np.float32).max:
+        raise RecordError([(name, "must be below 3.4e38, the largest number of this format")])
+    return values.astype(np.float32)
 
 
 class GsdFile:
@@ -264,7 +270,8 @@ class GsdFile:
 
 def _open(path: Path, mode: str) -> Any:
     needed("gsd", "gas")
-    return import_module("gsd.fl").open(str(path), mode, f"Carom {__version__}", SCHEMA, SCHEMA_VERSION)
+    kind = (None, None, None) if mode == "r" else (f"Carom {__version__}", SCHEMA, SCHEMA_VERSION)
+    return import_module("gsd.fl").open(str(path), mode, *kind)
 
 
 @contextmanager

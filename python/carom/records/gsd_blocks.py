@@ -53,6 +53,7 @@ BYTES = np.array([0, 1, 2, 4, 8, 1, 2, 4, 8, 4, 8, 1], dtype=np.uint64)
 FIRST_INDEX, FIRST_ENTRIES = HEADER.itemsize, 128
 FIRST_NAMES = FIRST_INDEX + FIRST_ENTRIES * ENTRY.itemsize
 NAME_BLOCK, FIRST_NAME_BLOCKS = 64, 16
+COUNT = "log/carom/chunks"  # holds how many chunks a frame of Carom's has
 MARGIN = 65_536  # for the names and the pieces that a disk is parted in
 
 
@@ -114,9 +115,9 @@ def recover_gsd(path: Path, to: Path) -> int:
         with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as held:
             said = int(header["index"][0]), int(header["entries"][0])
             places = [place for place in (said, *_indices(held)) if place[0] < size]
-            frames, entries, start, most = max(
-                (_whole_frames(held, *place) for place in places), key=lambda found: found[0]
-            )
+            start, most = max(places, key=lambda place: len(_usable(held, *place)))
+            entries = _of_whole_frames(held, _usable(held, start, most), _counts(header[0], held))
+            frames = int(entries["frame"][-1]) + 1 if len(entries) else 0
     if frames == 0:
         raise RecordError([(str(path), "has no whole frame: nothing to recover")])
     header["index"], header["entries"] = start, most
@@ -141,21 +142,32 @@ def _indices(held: mmap.mmap) -> Iterator[tuple[int, int]]:
         place, entries = held.find(beginning, place + 1), entries * 2
 
 
-def _whole_frames(held: mmap.mmap, start: int, most: int) -> tuple[int, NDArray[np.void], int, int]:
-    """Give how many frames have all their chunks, their entries, and once more where the index lies.
-
-    Where entries may be missing at the end the last frame is not counted, as nobody knows how many it had.
-    """
+def _usable(held: mmap.mmap, start: int, most: int) -> NDArray[np.void]:
+    """Give the entries of an index up to the first that leads nowhere."""
     available = min(most, (len(held) - start) // ENTRY.itemsize)
     listed = np.frombuffer(held[start : start + available * ENTRY.itemsize], ENTRY)
-    ends = np.flatnonzero(listed["place"] == 0)
-    used = listed[: ends[0]] if len(ends) else listed
-    kinds = np.minimum(used["kind"], len(BYTES) - 1)
-    last_bytes = used["place"] + used["rows"] * used["columns"] * BYTES[kinds]
-    wrong = (last_bytes > len(held)) | (used["kind"] >= len(BYTES)) | (used["kind"] == 0) | (used["flags"] != 0)
-    wrong[1:] |= used["frame"][1:] < used["frame"][:-1]
-    if wrong.any():  # entries are in order of frames; the first that leads nowhere ends what is whole
-        frames = int(used["frame"][np.argmax(wrong)])
-    else:
-        frames = int(used["frame"][-1]) + (len(ends) > 0) if len(used) else 0
-    return frames, used[: np.searchsorted(used["frame"], frames)], start, most
+    kinds = np.minimum(listed["kind"], len(BYTES) - 1)
+    last_bytes = listed["place"] + listed["rows"] * listed["columns"] * BYTES[kinds]
+    wrong = (listed["place"] == 0) | (last_bytes > len(held)) | (listed["flags"] != 0)
+    wrong |= (listed["kind"] == 0) | (listed["kind"] >= len(BYTES))
+    wrong[1:] |= listed["frame"][1:] < listed["frame"][:-1]
+    return listed[: np.argmax(wrong)] if wrong.any() else listed
+
+
+def _of_whole_frames(held: mmap.mmap, entries: NDArray[np.void], count_name: int | None) -> NDArray[np.void]:
+    """Leave out the entries of the last frame, if they are not all.
+
+    A frame of Carom's says how many it has. Of others' the last is left out, as nobody knows.
+    """
+    last = entries[entries["frame"] == entries["frame"][-1]] if len(entries) else entries
+    for place in last["place"][last["name"] == count_name].tolist():
+        if int.from_bytes(held[place : place + 4], "little") == len(last):
+            return entries
+    return entries[: len(entries) - len(last)]
+
+
+def _counts(header: NDArray[np.void], held: mmap.mmap) -> int | None:
+    """Give the number of the name under which frames say how many chunks they have."""
+    start, length = int(header["names"]), int(header["name_blocks"]) * NAME_BLOCK
+    names = held[start : start + length].split(b"\0")
+    return names.index(COUNT.encode()) if COUNT.encode() in names else None

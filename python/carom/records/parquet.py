@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -53,18 +54,22 @@ class ParquetWriter(SnapshotWriter):
         return len(parts_of(self.path))
 
     def _append(self, snapshot: Snapshot) -> None:
-        old: list[Path] = []
+        table, old = _table(snapshot, self._frames), []
         if self._frames == 0:
             if self.path.is_file():
                 raise RecordError([("", "is one file, and a folder of frames is to be there")])
             old = parts_of(self.path) if self.path.is_dir() else []
             self.path.mkdir(exist_ok=True)
-        writer = _parquet()
-        with replacing(self.path / f"frame-{self._frames:09d}.parquet") as temporary:
-            # Only what repeats itself is worth a dictionary.
-            writer.write_table(_table(snapshot, self._frames), temporary, use_dictionary=[*CONSTANT])
-            for part in reversed(old[1:]):
-                part.unlink()
+        try:
+            with replacing(self.path / f"frame-{self._frames:09d}.parquet") as temporary:
+                # Only what repeats itself is worth a dictionary.
+                _parquet().write_table(table, temporary, use_dictionary=[*CONSTANT])
+                for part in reversed(old[1:]):
+                    part.unlink()
+        except BaseException:
+            with suppress(OSError):  # of a first frame nothing stays, of others the folder is not empty
+                self.path.rmdir()
+            raise
 
 
 def events_to_parquet(events: EventTable | Iterable[EventTable], path: str | os.PathLike[str]) -> None:
@@ -114,8 +119,7 @@ class ParquetFile:
         if not path.exists():
             raise RecordError([(str(path), "no such file")])
         self._parts = parts_of(path) if path.is_dir() else []
-        numbers = [] if path.is_dir() else self._table(path, None, ["frame"]).column("frame").unique().to_pylist()
-        self._numbers = sorted(numbers)
+        self._numbers = [] if path.is_dir() else self._listed()
 
     def __enter__(self) -> ParquetFile:
         return self
@@ -130,9 +134,13 @@ class ParquetFile:
         """Read one frame, counted from 0."""
         place = f"{self.path}, frame {frame}"
         if self._parts:
-            table = self._table(self._parts[frame], frame, None)
+            part = self._parts[frame]
+            with _read_by_arrow(f"{place} ({part.name})"), self._library.ParquetFile(part) as file:
+                table = file.read()
         else:
-            table = self._table(self.path, frame, None, filters=[("frame", "=", self._numbers[frame])])
+            with _read_by_arrow(place):
+                only = [("frame", "=", self._numbers[frame])]
+                table = self._library.read_table(self.path, filters=only, partitioning=None)
         missing = [name for name in (*CONSTANT, *COLUMNS) if name not in table.column_names]
         if missing:
             raise RecordError([(f"{place}, {name}", "there is no such column") for name in missing])
@@ -141,17 +149,22 @@ class ParquetFile:
         except RecordError as error:
             raise RecordError([(f"{place}, {where}", what) for where, what in error.problems]) from None
 
-    def _table(self, path: Path, frame: int | None, columns: list[str] | None, **options: Any) -> Any:
-        place = str(path) if frame is None or path == self.path else f"{self.path}, frame {frame} ({path.name})"
-        try:
-            return (
-                self._library.ParquetFile(path).read(columns)
-                if not options
-                else self._library.read_table(path, columns=columns, partitioning=None, **options)
-            )
-        except (ValueError, OSError, KeyError) as error:  # Arrow's own errors are among these
-            said = str(error).splitlines()[0]
-            raise RecordError([(place, f"cannot be read, it is cut short or no table of snapshots: {said}")]) from None
+    def _listed(self) -> list[int]:
+        """Give the numbers of the frames in one file."""
+        with _read_by_arrow(str(self.path)), self._library.ParquetFile(self.path) as file:
+            table = file.read(["frame"])
+        if "frame" not in table.column_names:
+            raise RecordError([(f"{self.path}, frame", "there is no such column")])
+        return sorted(table.column("frame").unique().to_pylist())
+
+
+@contextmanager
+def _read_by_arrow(place: str) -> Iterator[None]:
+    try:
+        yield
+    except (ValueError, OSError) as error:  # Arrow's own errors are among these
+        said = str(error).splitlines()[0]
+        raise RecordError([(place, f"cannot be read, it is cut short or no Parquet: {said}")]) from None
 
 
 def parts_of(folder: Path) -> list[Path]:

@@ -40,6 +40,17 @@ COLUMN_NAMES = {
 }
 """What columns are called, by Carom and OVITO first, then by ASE and others."""
 
+COLUMN_WIDTHS = {
+    "positions": (2, 3),
+    "unwrapped": (2,),
+    "velocities": (2, 3),
+    "momenta": (2, 3),
+    "radii": (1,),
+    "masses": (1,),
+    "images": (2, 3),
+}
+"""How many columns each field of numbers may have."""
+
 
 class ExtendedXyzWriter(SnapshotWriter):
     """Appends snapshots to an extended XYZ file, for OVITO, ASE and everything that reads text.
@@ -141,12 +152,11 @@ def frame_places(file: BinaryIO, path: Path) -> Iterator[tuple[int, int]]:
         head = file.readline()
         if not head.strip() and not file.read().strip():  # the end, perhaps after empty lines
             return
-        try:
-            count = int(head)
-        except ValueError:
+        count = int(head) if head.strip().isdigit() else 0
+        if count == 0:
             found = head.decode("utf-8", "replace").strip()[:40]
             message = f"must begin with its number of discs, got {found!r}"
-            raise RecordError([(f"{path}, frame {number}", message)]) from None
+            raise RecordError([(f"{path}, frame {number}", message)])
         last = deque(enumerate(islice(file, count + 1)), maxlen=1)
         if not last or last[0][0] < count or not last[0][1].endswith(b"\n"):
             raise cut_short(path, number)
@@ -246,6 +256,8 @@ class Header:
         if len(words) % 3 or not all(width.isdigit() for width in words[2::3]):
             raise RecordError([("Properties", f"must be name:kind:columns and so on, got {pairs['Properties']!r}")])
         for name, width in zip(words[::3], map(int, words[2::3]), strict=True):
+            if name in columns:
+                raise RecordError([("Properties", f"names {name} twice")])
             columns[name] = (at, width)
             at += width
         return cls(pairs, columns)
@@ -263,6 +275,13 @@ class Header:
             return float(self.pairs[found])
         except ValueError:
             raise RecordError([(found, f"must be a number, got {self.pairs[found]!r}")]) from None
+
+    def count(self, key: str) -> int:
+        """Give the whole number of a key, 0 if it is not there."""
+        word = self.pairs.get(key, "0")
+        if not word.isdigit():
+            raise RecordError([(key, f"must be a whole number, got {word!r}")])
+        return int(word)
 
     def box(self) -> tuple[NDArray[np.float64], NDArray[np.float64], list[bool]]:
         """Give the lower left corner and the size of the box, and whether it is periodic."""
@@ -308,13 +327,13 @@ def snapshot_of(lines: Sequence[bytes], frame: int, assumed: Assumed) -> Snapsho
         raise RecordError([("Properties", "must have pos")])
     origin, size, periodic = header.box()
     positions = flat("positions", fields["positions"]) - origin
-    images = flat("images", fields["images"]).astype(np.int64) if "images" in fields else None
+    images = _whole(flat("images", fields["images"])) if "images" in fields else None
     masses = _given(fields, "masses", assumed.mass, "mass", len(rows))
     time = header.number("Time", "time")
     name = header.find("ids")
     return Snapshot(
         frame * assumed.time_step if time is None else time,
-        int(header.pairs.get("Events", "0")),
+        header.count("Events"),
         size,
         periodic,
         fields["unwrapped"] if "unwrapped" in fields else in_box(positions, size, images),
@@ -324,6 +343,15 @@ def snapshot_of(lines: Sequence[bytes], frame: int, assumed: Assumed) -> Snapsho
         images,
         None if name is None else _words(rows, header.columns[name][0]),
     )
+
+
+def _whole(images: NDArray[np.float64]) -> NDArray[np.int64]:
+    wrong = (images != np.rint(images)) | (np.abs(images) > 2**31)
+    if wrong.any():
+        disc, axis = (int(index) for index in np.argwhere(wrong)[0])
+        message = f"must be a whole number of 32 bits, got {images[disc, axis]:g}"
+        raise RecordError([(f"images[{disc}, {axis}]", message)])
+    return images.astype(np.int64)
 
 
 def _velocities(fields: dict[str, Any], masses: NDArray[np.float64], assumed: Assumed, rows: int) -> Any:
@@ -347,8 +375,12 @@ def _given(
 
 def _numbers_of(header: Header, rows: Sequence[bytes]) -> dict[str, NDArray[np.float64]]:
     """Read all columns of numbers that are known, each field as (n, columns) float64."""
-    wanted = {field: header.find(field) for field in COLUMN_NAMES if field != "ids"}
-    spans = {field: header.columns[name] for field, name in wanted.items() if name is not None}
+    wanted = {field: name for field in COLUMN_WIDTHS if (name := header.find(field)) is not None}
+    spans = {field: header.columns[name] for field, name in wanted.items()}
+    for field, (_, width) in spans.items():
+        if width not in COLUMN_WIDTHS[field]:
+            allowed = " or ".join(map(str, COLUMN_WIDTHS[field]))
+            raise RecordError([("Properties", f"{wanted[field]} must have {allowed} columns, got {width}")])
     places = [at + step for at, width in spans.values() for step in range(width)]
     try:
         numbers = np.loadtxt(rows, dtype=np.float64, usecols=places, comments=None, ndmin=2, encoding="utf-8")
