@@ -5,6 +5,7 @@ import pickle
 import pytest
 
 import carom
+from carom.errors import RecordError
 
 ERRORS = [
     carom.CaromError("anything"),
@@ -12,6 +13,7 @@ ERRORS = [
     carom.ScenarioError("one line"),
     carom.SimulationError("overlap at time 1", "{}"),
     carom.TrajectoryError([("mine.csv, line 3, xr", "is empty")]),
+    RecordError([("gas.gsd, frame 3, positions[1, 0]", "must be finite, got nan")]),
     carom.RunError("time 9 is outside the run"),
     carom.MissingExtraError("pandas is not installed: needs carom[data]"),
 ]

@@ -13,7 +13,7 @@ from packaging.requirements import Requirement
 import carom
 
 PACKAGE = Path(carom.__file__).parent
-OPTIONAL = {"pandas": "data", "pyarrow": "data", "imageio_ffmpeg": "movie"}
+OPTIONAL = {"pandas": "data", "pyarrow": "data", "imageio_ffmpeg": "movie", "gsd": "gas"}
 
 # Python starts as if the optional packages were not installed: nothing finds them.
 HIDING = f"""
@@ -40,13 +40,20 @@ def without_extras(code: str, *words: object) -> subprocess.CompletedProcess[str
         ("run.events.to_pandas()", "pandas is not installed: needs carom[data]"),
         ("run.trajectory([0, 1]).to_arrow()", "pyarrow is not installed: needs carom[data]"),
         ("run.animate('film.mp4')", "imageio_ffmpeg is not installed: needs carom[movie]"),
+        ("records.read_snapshot('gas.gsd')", "gsd is not installed: needs carom[gas]"),
+        ("records.GsdWriter('gas.gsd').write(disc)", "gsd is not installed: needs carom[gas]"),
+        ("records.read_snapshot('gas.parquet')", "pyarrow is not installed: needs carom[data]"),
+        ("records.ParquetWriter('gas.parquet').write(disc)", "pyarrow is not installed: needs carom[data]"),
+        ("records.events_to_parquet(run.events, 'e.parquet')", "pyarrow is not installed: needs carom[data]"),
     ],
 )
 def test_a_missing_extra_is_one_line(call: str, line: str, tmp_path: Path) -> None:
     code = f"""
 import os, carom
+from carom import records
 os.chdir({str(tmp_path)!r})
 run = carom.load("midterm").run()
+disc = records.Snapshot(0.0, 0, (4, 3), (True, True), [[1, 1]], [[0, 0]], [0.5], [1])
 try:
     {call}
 except carom.MissingExtraError as missing:
@@ -103,7 +110,7 @@ def imported_when_run(tree: ast.AST) -> set[str]:
 def test_extras_bring_what_is_asked_of_them_and_all_brings_everything() -> None:
     brought: dict[str, set[str]] = {}
     for requirement in map(Requirement, requires("carom") or []):
-        for extra in ("data", "movie", "all"):
+        for extra in ("data", "movie", "gas", "all"):
             # A marker holds for an extra where it does not hold without one.
             if requirement.marker and requirement.marker.evaluate({"extra": extra}):
                 brought.setdefault(extra, set()).add(requirement.name.replace("-", "_"))

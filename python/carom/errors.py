@@ -41,6 +41,10 @@ class TrajectoryError(ListedError):
     """A trajectory to be compared cannot be read, or is none of this run; places are file, line and column."""
 
 
+class RecordError(ListedError):
+    """A file of snapshots cannot be written or read; places are file, frame and field."""
+
+
 class SimulationError(CaromError, RuntimeError):
     """A run broke one of its own invariants.
 

@@ -10,11 +10,6 @@ pub(super) fn exp(x: f64) -> f64 {
     libm::exp(x)
 }
 
-/// The natural logarithm.
-pub fn ln(x: f64) -> f64 {
-    libm::log(x)
-}
-
 pub(super) fn angle(x: f64, y: f64) -> f64 {
     libm::atan2(y, x)
 }

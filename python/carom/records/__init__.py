@@ -1,0 +1,23 @@
+"""Files of gases of discs: snapshots as GSD, extended XYZ and Parquet, and streams of events as Parquet.
+
+Each writer appends frame after frame while a run goes on. Between frames nothing is open: what stands in a file is
+whole, and a frame that cannot be written leaves the earlier ones as they were.
+"""
+
+from carom.records.gsd import GsdWriter
+from carom.records.parquet import ParquetWriter, events_to_parquet
+from carom.records.reading import content_hash, frames, read_snapshot, recover
+from carom.records.snapshot import Snapshot
+from carom.records.xyz import ExtendedXyzWriter
+
+__all__ = [
+    "ExtendedXyzWriter",
+    "GsdWriter",
+    "ParquetWriter",
+    "Snapshot",
+    "content_hash",
+    "events_to_parquet",
+    "frames",
+    "read_snapshot",
+    "recover",
+]
