@@ -50,6 +50,12 @@ impl<S: Scalar> Relative<S> {
         self.position.norm_squared() - radii.squared()
     }
 
+    /// Whether the two come nearer to each other.
+    #[inline(always)]
+    pub fn closes(&self) -> bool {
+        self.position.dot(self.velocity) < S::ZERO
+    }
+
     /// The offset at which two balls in straight flight meet that are as far apart as `gap` says, which is positive; infinite
     /// for a miss.
     ///

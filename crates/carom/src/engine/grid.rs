@@ -272,6 +272,16 @@ impl<S: Scalar> Grid<S> {
     #[inline(always)]
     pub fn ahead(&self, cell: [u16; 2], side: Side) -> Window {
         let (axis, is_up) = side.axis();
+        let (column, row) = (cell[0] as usize, cell[1] as usize);
+        let [columns, rows] = self.count;
+        if column > 0 && column + 1 < columns && row > 0 && row + 1 < rows {
+            return match side {
+                Side::Left => Window::inside(column - 1, 1, row - 1, 3),
+                Side::Right => Window::inside(column + 1, 1, row - 1, 3),
+                Side::Below => Window::inside(column - 1, 3, row - 1, 1),
+                Side::Above => Window::inside(column - 1, 3, row + 1, 1),
+            };
+        }
         let mut ranges = cell.map(|index| [i32::from(index) - 1, i32::from(index) + 1]);
         ranges[axis] = if is_up { [ranges[axis][1]; 2] } else { [ranges[axis][0]; 2] };
         self.window(ranges[0], ranges[1])
@@ -282,9 +292,9 @@ impl<S: Scalar> Grid<S> {
             let count = self.count[axis] as i32;
             let mut strip = Strip { cells: [(0, 0); 3], count: 0 };
             for index in from..=to {
-                let round = index.div_euclid(count);
+                let round = i32::from(index >= count) - i32::from(index < 0);
                 if round == 0 || self.periodic[axis] {
-                    strip.cells[strip.count] = (index.rem_euclid(count) as usize, round);
+                    strip.cells[strip.count] = ((index - round * count) as usize, round);
                     strip.count += 1;
                 }
             }
@@ -294,14 +304,45 @@ impl<S: Scalar> Grid<S> {
         Window { columns: across, rows: along, is_inside: fits(columns, 0) && fits(rows, 1) }
     }
 
-    /// Hands over the balls of some cells, cell by cell, each cell with how often one has gone round to be there.
+    /// Hands over the balls of some cells by four places: how many balls from the first of them on the cell has, and how often
+    /// one has gone round to be there.
     #[inline(always)]
-    pub fn each_cell(&self, window: &Window, mut meet: impl FnMut(&[u32], usize, [i32; 2])) {
+    pub fn each_four(&self, window: &Window, mut meet: impl FnMut(&[u32; FEW], usize, [i32; 2])) {
         for &(row, round_y) in &window.rows.cells[..window.rows.count] {
             for &(column, round_x) in &window.columns.cells[..window.columns.count] {
                 let cell = row * self.count[0] + column;
-                let at = cell * self.places;
-                meet(&self.balls[at..at + self.places], self.filled[cell] as usize, [round_x, round_y]);
+                let (at, filled) = (cell * self.places, self.filled[cell] as usize);
+                let (fours, _) = self.balls[at..at + self.places].as_chunks::<FEW>();
+                for (place, four) in fours.iter().enumerate() {
+                    if place * FEW < filled {
+                        meet(four, filled - place * FEW, [round_x, round_y]);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether no cell has more than four places.
+    #[inline(always)]
+    pub fn is_roomy(&self) -> bool {
+        self.places == FEW
+    }
+
+    /// Hands over the four places of each of some cells that all lie inside the table, where no cell has more: and how many
+    /// balls are in them.
+    #[inline(always)]
+    pub fn each_row(&self, window: &Window, mut meet: impl FnMut(&[u32; FEW], usize)) {
+        let (fours, _) = self.balls.as_chunks::<FEW>();
+        let (first, columns) = (window.columns.cells[0].0, window.columns.count);
+        for &(row, _) in &window.rows.cells[..window.rows.count] {
+            let at = row * self.count[0] + first;
+            let (Some(fours), Some(filled)) =
+                (fours.get(at..at + columns), self.filled.get(at..at + columns))
+            else {
+                continue;
+            };
+            for (four, &count) in fours.iter().zip(filled) {
+                meet(four, count as usize);
             }
         }
     }

@@ -5,7 +5,7 @@ use super::calendar::{A_GREAT_MANY, Calendar};
 use super::discs::Discs;
 use super::grid::{Grid, MOST_ROUNDS, Side, Window};
 use super::queue::{Pending, Target};
-use super::simd::{Answer, Candidates, Nearest, ROOM, fetch, first_meeting};
+use super::simd::{Answer, Candidates, Nearest, Shifts, Touch, fetch, first_meeting};
 use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;
@@ -13,9 +13,6 @@ use crate::scenario::System;
 
 /// From so many balls on they do not fit into fast memory: what is needed next is fetched before.
 const FETCHED_FROM: usize = A_GREAT_MANY / 40;
-
-/// Nobody, where a ball is asked for.
-const NOBODY: u32 = u32::MAX;
 
 /// What there is for many balls.
 #[derive(Clone, Debug)]
@@ -77,7 +74,7 @@ impl<S: Scalar> Discs<S> {
             return;
         }
         let (window, own) = (grid.ahead(line.cell, side), self.balls[ball]);
-        match self.meeting_in(&window, &own, NOBODY, meeting) {
+        match self.meeting_in(&window, &own, Touch::Parting, meeting) {
             Some(next) => self.schedule_among_many(ball, next),
             None => {
                 self.predict_near(ball, Target::Nothing);
@@ -122,8 +119,12 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     pub(super) fn meeting_near(&self, own: &Ball<S>, struck: Target, next: Pending<S>) -> Option<Pending<S>> {
         let window = self.many.as_ref()?.grid.around(own.cell);
-        let struck = if let Target::Ball(other, _) = struck { other } else { NOBODY };
-        self.meeting_in(&window, own, struck, next)
+        let touch = match struck {
+            Target::Ball(other, _) => Touch::Struck(other),
+            Target::Cushion(_) => Touch::Struck(own.number),
+            Target::Nothing | Target::Release(_) => Touch::Parting,
+        };
+        self.meeting_in(&window, own, touch, next)
     }
 
     /// The same in some cells.
@@ -132,7 +133,7 @@ impl<S: Scalar> Discs<S> {
         &self,
         window: &Window,
         own: &Ball<S>,
-        struck: u32,
+        touch: Touch,
         next: Pending<S>,
     ) -> Option<Pending<S>> {
         let known = if let Target::Ball(other, _) = next.target { i64::from(other) } else { -1 };
@@ -140,10 +141,10 @@ impl<S: Scalar> Discs<S> {
         let mut nearest = before;
         let is_simple = window.is_inside && own.rounds == [0; 2];
         let mut answer =
-            if is_simple { self.ask_inside(window, own, struck, &mut nearest) } else { Answer::GoneRound };
+            if is_simple { self.ask_inside(window, own, touch, &mut nearest) } else { Answer::GoneRound };
         if answer == Answer::GoneRound {
             nearest = before;
-            answer = self.ask_round(window, own, struck, &mut nearest);
+            answer = self.ask_round(window, own, touch, &mut nearest);
         }
         if answer != Answer::Known {
             return None;
@@ -159,58 +160,56 @@ impl<S: Scalar> Discs<S> {
 
     /// Asks the balls of cells that all lie inside the table, where nobody has gone round.
     #[inline(always)]
-    fn ask_inside(&self, window: &Window, own: &Ball<S>, struck: u32, nearest: &mut Nearest<S>) -> Answer {
+    fn ask_inside(&self, window: &Window, own: &Ball<S>, touch: Touch, nearest: &mut Nearest<S>) -> Answer {
         let Some(Many { grid, .. }) = &self.many else { return Answer::Known };
-        let tolerance = &self.system.tolerance;
-        let (mut candidates, mut answer) = (Candidates::NONE, Answer::Known);
-        grid.each_cell(window, |cell, count, _| {
-            if !candidates.has_room_for(count) {
-                for part in cell[..count].chunks(4) {
-                    if !candidates.has_room_for(4) {
-                        let found = first_meeting(
-                            &self.balls,
-                            own,
-                            struck,
-                            &mut candidates,
-                            None,
-                            tolerance,
-                            nearest,
-                        );
-                        answer = answer.and(found);
-                        candidates = Candidates::NONE;
-                    }
-                    candidates.add_few(part);
-                }
-            } else {
-                candidates.add(cell, count);
+        let mut candidates = Candidates::none();
+        // Nine cells of four places have room.
+        if grid.is_roomy() {
+            grid.each_row(window, |four, count| candidates.add_of_four(four, count));
+            return self.ask(own, touch, &mut candidates, None, nearest);
+        }
+        let mut answer = Answer::Known;
+        grid.each_four(window, |four, count, _| {
+            if !candidates.has_room_for(4) {
+                answer = answer.and(self.ask(own, touch, &mut candidates, None, nearest));
+                candidates = Candidates::none();
             }
+            candidates.add_of_four(four, count);
         });
-        answer.and(first_meeting(&self.balls, own, struck, &mut candidates, None, tolerance, nearest))
+        answer.and(self.ask(own, touch, &mut candidates, None, nearest))
     }
 
     /// The same across the sides of a periodic table, each ball where it is seen.
     #[inline(never)]
-    fn ask_round(&self, window: &Window, own: &Ball<S>, struck: u32, nearest: &mut Nearest<S>) -> Answer {
+    fn ask_round(&self, window: &Window, own: &Ball<S>, touch: Touch, nearest: &mut Nearest<S>) -> Answer {
         let Some(Many { grid, .. }) = &self.many else { return Answer::Known };
-        let tolerance = &self.system.tolerance;
-        let (mut candidates, mut answer) = (Candidates::NONE, Answer::Known);
-        let mut shifts = [Vec2::ZERO; ROOM];
-        grid.each_cell(window, |cell, count, round| {
-            for &number in &cell[..count] {
-                if !candidates.has_room_for(1) {
-                    let seen = Some(&shifts);
-                    let found =
-                        first_meeting(&self.balls, own, struck, &mut candidates, seen, tolerance, nearest);
-                    answer = answer.and(found);
-                    candidates = Candidates::NONE;
-                }
-                shifts[candidates.numbers().len()] =
-                    self.system.shift(self.rounds_between(own, number, round));
-                candidates.add_few(&[number]);
+        let (mut candidates, mut answer) = (Candidates::none(), Answer::Known);
+        let mut shifts = Shifts::none();
+        grid.each_four(window, |four, count, round| {
+            if !candidates.has_room_for(4) {
+                answer = answer.and(self.ask(own, touch, &mut candidates, Some(&shifts), nearest));
+                candidates = Candidates::none();
             }
+            let mut seen = [Vec2::ZERO; 4];
+            for (shift, &number) in seen.iter_mut().zip(&four[..count.min(4)]) {
+                *shift = self.system.shift(self.rounds_between(own, number, round));
+            }
+            shifts.set_four(candidates.count(), seen);
+            candidates.add_of_four(four, count);
         });
-        let seen = Some(&shifts);
-        answer.and(first_meeting(&self.balls, own, struck, &mut candidates, seen, tolerance, nearest))
+        answer.and(self.ask(own, touch, &mut candidates, Some(&shifts), nearest))
+    }
+
+    #[inline(always)]
+    fn ask(
+        &self,
+        own: &Ball<S>,
+        touch: Touch,
+        candidates: &mut Candidates,
+        shifts: Option<&Shifts<S>>,
+        nearest: &mut Nearest<S>,
+    ) -> Answer {
+        first_meeting(&self.balls, own, touch, candidates, shifts, &self.system.tolerance, nearest)
     }
 
     /// How often the table lies between where another ball's flight says that it is, and where a ball sees it in a cell that
@@ -229,8 +228,8 @@ impl<S: Scalar> Discs<S> {
             return;
         };
         let own = &self.balls[ball];
-        grid.each_cell(&grid.around(own.cell), |cell, count, round| {
-            for &number in &cell[..count] {
+        grid.each_four(&grid.around(own.cell), |four, count, round| {
+            for &number in &four[..count.min(4)] {
                 let rounds = self.rounds_between(own, number, round);
                 let shift = (rounds != [0; 2]).then(|| self.system.shift(rounds));
                 meet(number as usize, shift);

@@ -96,6 +96,9 @@ impl<S: Scalar> Discs<S> {
         if !self.is_plain {
             return None;
         }
+        if self.system.faces.is_open {
+            return Some(Pending::NEVER);
+        }
         let struck = if let Target::Cushion(cushion) = struck { cushion as usize } else { usize::MAX };
         let tolerance = self.system.tolerance.of(radius);
         let (cushion, offset) =

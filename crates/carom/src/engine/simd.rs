@@ -12,6 +12,7 @@ use crate::geometry::Vec2;
 use crate::model::ContactTolerance;
 use crate::scalar::Scalar;
 use core::any::Any;
+use core::mem::MaybeUninit;
 
 /// Room for so many numbers of balls that are asked at once.
 pub const ROOM: usize = 64;
@@ -19,12 +20,20 @@ pub const ROOM: usize = 64;
 /// Balls that are asked at once; room for four more after each may be written over.
 const MOST: usize = ROOM - 12;
 
-/// Balls that may be met, by their numbers; after them come any others, for a whole number of wide registers.
-#[derive(Clone, Copy, Debug)]
+/// Balls that may be met, by their numbers.
+#[derive(Clone, Copy)]
 #[repr(align(64))]
 pub struct Candidates {
-    numbers: [u32; ROOM],
+    /// Only the first `count` are known, and in [`Candidates::close`] some more.
+    numbers: [MaybeUninit<u32>; ROOM],
     count: usize,
+}
+
+/// By how much each candidate is seen elsewhere than its flight says.
+#[derive(Clone, Copy)]
+pub struct Shifts<S> {
+    x: [S; ROOM],
+    y: [S; ROOM],
 }
 
 /// The first meeting found so far.
@@ -36,6 +45,15 @@ pub struct Nearest<S> {
     pub offset: S,
     /// With which ball; below zero: none of those that were asked.
     pub other: i64,
+}
+
+/// With what a ball may be in touch without more having to be asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Touch {
+    /// With the ball that it has just been in contact with.
+    Struck(u32),
+    /// With any from which it parts, as nothing has just happened.
+    Parting,
 }
 
 /// What asking some balls came to.
@@ -51,7 +69,16 @@ pub enum Answer {
 
 impl Candidates {
     /// Nobody yet.
-    pub const NONE: Self = Self { numbers: [0; ROOM], count: 0 };
+    #[inline(always)]
+    pub fn none() -> Self {
+        Self { numbers: [MaybeUninit::uninit(); ROOM], count: 0 }
+    }
+
+    /// How many there are.
+    #[inline(always)]
+    pub fn count(&self) -> usize {
+        self.count
+    }
 
     /// Whether so many more have room.
     #[inline(always)]
@@ -59,36 +86,55 @@ impl Candidates {
         self.count + count <= MOST
     }
 
-    /// Takes the first `count` balls of a cell's places, of which there are four or a multiple of it, where there is room for
-    /// them.
+    /// Takes the first `count` of four places, where there is room for four.
     #[inline(always)]
-    pub fn add(&mut self, cell: &[u32], count: usize) {
-        // Usually four places are all there are: they are copied together, and what is not a ball is written over.
-        for (place, four) in cell.chunks_exact(4).enumerate() {
-            let at = self.count + 4 * place;
-            if place > 0 && 4 * place >= count {
-                break;
+    pub fn add_of_four(&mut self, places: &[u32; 4], count: usize) {
+        if self.count <= ROOM - 4 {
+            // All four are copied, so that nothing depends on how many; what is too much is written over.
+            // SAFETY: there is room for four.
+            unsafe {
+                let room = self.numbers.as_mut_ptr().add(self.count).cast::<u32>();
+                core::ptr::copy_nonoverlapping(places.as_ptr(), room, 4);
             }
-            self.numbers[at..at + 4].copy_from_slice(four);
+            self.count += count.min(4);
         }
-        self.count += count;
-    }
-
-    /// Takes a few balls, where there is room for them.
-    pub fn add_few(&mut self, balls: &[u32]) {
-        self.numbers[self.count..self.count + balls.len()].copy_from_slice(balls);
-        self.count += balls.len();
     }
 
     /// The balls.
+    #[inline(always)]
     pub fn numbers(&self) -> &[u32] {
-        &self.numbers[..self.count]
+        let known = &self.numbers[..self.count];
+        // SAFETY: the first `count` have been written.
+        unsafe { &*(core::ptr::from_ref(known) as *const [u32]) }
     }
 
     /// Fills what wide registers would see after the last with the ball that asks, which never meets itself.
     #[inline(always)]
     fn close(&mut self, ball: u32) {
-        self.numbers[self.count..self.count + 12].fill(ball);
+        for room in &mut self.numbers[self.count..self.count + 12] {
+            room.write(ball);
+        }
+    }
+}
+
+impl<S: Scalar> Shifts<S> {
+    /// None yet.
+    #[inline(always)]
+    pub fn none() -> Self {
+        Self { x: [S::ZERO; ROOM], y: [S::ZERO; ROOM] }
+    }
+
+    /// Sets that of four candidates from a place on.
+    #[inline(always)]
+    pub fn set_four(&mut self, place: usize, shifts: [Vec2<S>; 4]) {
+        if let (Some(x), Some(y)) = (self.x.get_mut(place..place + 4), self.y.get_mut(place..place + 4)) {
+            x.copy_from_slice(&shifts.map(|shift| shift.x));
+            y.copy_from_slice(&shifts.map(|shift| shift.y));
+        }
+    }
+
+    fn at(&self, place: usize) -> Vec2<S> {
+        Vec2::new(self.x[place], self.y[place])
     }
 }
 
@@ -105,41 +151,48 @@ impl Answer {
 }
 
 /// The first of the candidates that `own`, in straight flight as they all are, meets before `nearest`; of two at one time
-/// that with the lower number. Not counted are itself and `struck`, with which it has just been in contact.
+/// that with the lower number. Not counted are itself and the one that it has just been in contact with.
 ///
 /// `shifts` say by how much each candidate is seen elsewhere than its flight says; without them nobody has gone round.
 #[inline(always)]
 pub fn first_meeting<S: Scalar>(
     balls: &Vec<Ball<S>>,
     own: &Ball<S>,
-    struck: u32,
+    touch: Touch,
     candidates: &mut Candidates,
-    shifts: Option<&[Vec2<S>; ROOM]>,
+    shifts: Option<&Shifts<S>>,
     tolerance: &ContactTolerance<S>,
     nearest: &mut Nearest<S>,
 ) -> Answer {
     #[cfg(target_arch = "x86_64")]
-    if shifts.is_none()
-        && let Some(balls) = (balls as &dyn Any).downcast_ref::<Vec<Ball<f64>>>()
+    if let Some(balls) = (balls as &dyn Any).downcast_ref::<Vec<Ball<f64>>>()
         && let Some(own) = (own as &dyn Any).downcast_ref::<Ball<f64>>()
         && let Some(tolerance) = (tolerance as &dyn Any).downcast_ref::<ContactTolerance<f64>>()
         && let Some(nearest) = (nearest as &mut dyn Any).downcast_mut::<Nearest<f64>>()
         && is_wide()
     {
         candidates.close(own.number);
+        let shifts = shifts.and_then(|shifts| (shifts as &dyn Any).downcast_ref::<Shifts<f64>>());
         // SAFETY: the processor has AVX2; every number is that of a ball.
-        return unsafe { avx2::first_meeting(balls, own, struck, candidates, tolerance, nearest) };
+        return unsafe {
+            match shifts {
+                None => avx2::first_meeting::<false>(balls, own, touch, candidates, None, tolerance, nearest),
+                shifts => {
+                    avx2::first_meeting::<true>(balls, own, touch, candidates, shifts, tolerance, nearest)
+                }
+            }
+        };
     }
-    first_meeting_plain(balls, own, struck, candidates, shifts, tolerance, nearest)
+    first_meeting_plain(balls, own, touch, candidates, shifts, tolerance, nearest)
 }
 
 /// The plain twin.
 pub fn first_meeting_plain<S: Scalar>(
     balls: &[Ball<S>],
     own: &Ball<S>,
-    struck: u32,
+    touch: Touch,
     candidates: &Candidates,
-    shifts: Option<&[Vec2<S>; ROOM]>,
+    shifts: Option<&Shifts<S>>,
     tolerance: &ContactTolerance<S>,
     nearest: &mut Nearest<S>,
 ) -> Answer {
@@ -150,14 +203,16 @@ pub fn first_meeting_plain<S: Scalar>(
         if shifts.is_none() && other.rounds != [0; 2] {
             return Answer::GoneRound;
         }
-        if number == own.number || number == struck || radii == S::ZERO {
+        if number == own.number || touch == Touch::Struck(number) || radii == S::ZERO {
             continue;
         }
-        let shift = shifts.map(|shifts| shifts[place]);
+        let shift = shifts.map(|shifts| shifts.at(place));
         let relative = Relative::straight(&own.straight_flight(), &other.straight_flight(), shift);
         let gap = relative.squared_gap(radii);
-        if gap <= squared_tolerance(tolerance, radii) {
-            answer = Answer::TooNear;
+        let near = squared_tolerance(tolerance, radii);
+        if gap <= near {
+            let parts = touch == Touch::Parting && gap >= -near && !relative.closes();
+            answer = if parts { answer } else { Answer::TooNear };
             continue;
         }
         let offset = relative.meeting(gap, radii);
@@ -195,8 +250,9 @@ pub fn fetch<T>(items: &[T], place: usize) {
 
 #[cfg(target_arch = "x86_64")]
 mod avx2 {
-    use super::{Answer, Ball, Candidates, ContactTolerance, Nearest};
+    use super::{Answer, Ball, Candidates, ContactTolerance, Nearest, Shifts, Touch};
     use core::arch::x86_64::*;
+    use core::mem::MaybeUninit;
 
     /// The ball that asks, each of its numbers in all four lanes.
     struct Own {
@@ -206,6 +262,8 @@ mod avx2 {
         radius: __m256d,
         number: __m256i,
         struck: __m256i,
+        /// All ones where touching balls may part.
+        parting: __m256d,
         /// 1e-10, and the part of the contact tolerance that is the table's.
         tolerance: [__m256d; 2],
     }
@@ -228,11 +286,12 @@ mod avx2 {
     ///
     /// The processor has AVX2, and every number of the candidates, those after the last included, is that of a ball.
     #[target_feature(enable = "avx2")]
-    pub unsafe fn first_meeting(
+    pub unsafe fn first_meeting<const SHIFTED: bool>(
         balls: &[Ball<f64>],
         own: &Ball<f64>,
-        struck: u32,
+        touch: Touch,
         candidates: &Candidates,
+        shifts: Option<&Shifts<f64>>,
         tolerance: &ContactTolerance<f64>,
         nearest: &mut Nearest<f64>,
     ) -> Answer {
@@ -243,7 +302,8 @@ mod avx2 {
             velocity: [all(own.velocity.x), all(own.velocity.y)],
             radius: all(own.radius),
             number: _mm256_set1_epi64x(i64::from(own.number)),
-            struck: _mm256_set1_epi64x(i64::from(struck)),
+            struck: _mm256_set1_epi64x(if let Touch::Struck(other) = touch { i64::from(other) } else { -1 }),
+            parting: _mm256_castsi256_pd(_mm256_set1_epi64x(if touch == Touch::Parting { -1 } else { 0 })),
             tolerance: [all(1e-10), all(tolerance.of(0.0))],
         };
         let mut first = First {
@@ -256,12 +316,21 @@ mod avx2 {
         // Three groups hold what nine cells usually do; so the number of them is no surprise to the processor.
         let groups = if candidates.count <= 4 { 1 } else { candidates.count.div_ceil(4).max(3) };
         for _ in 0..groups {
-            // SAFETY: as of this function.
-            unsafe { ask_four(balls.as_ptr(), &candidates.numbers, from, &asker, &mut first, &mut seen) };
+            // SAFETY: as of this function; there are twelve more numbers than candidates, and as many shifts as numbers.
+            unsafe {
+                let shift = match shifts {
+                    Some(shifts) if SHIFTED => {
+                        [&shifts.x, &shifts.y].map(|along| _mm256_loadu_pd(along.as_ptr().add(from)))
+                    }
+                    _ => [_mm256_setzero_pd(); 2],
+                };
+                let numbers = candidates.numbers.get_unchecked(from..from + 4);
+                ask_four::<SHIFTED>(balls.as_ptr(), numbers, &asker, shift, &mut first, &mut seen);
+            }
             from += 4;
         }
         let high = _mm256_srli_epi64::<32>(seen.rounds);
-        if _mm256_testz_si256(high, high) == 0 {
+        if !SHIFTED && _mm256_testz_si256(high, high) == 0 {
             return Answer::GoneRound;
         }
         if _mm256_movemask_pd(seen.near) != 0 {
@@ -312,24 +381,24 @@ mod avx2 {
         }
     }
 
-    /// Asks four candidates from a place on. The order of every operation is that of [`super::first_meeting_plain`].
+    /// Asks four candidates. The order of every operation is that of [`super::first_meeting_plain`].
     ///
     /// # Safety
     ///
-    /// The processor has AVX2, and there are four numbers of balls from that place on.
+    /// The processor has AVX2, and there are four numbers, those of balls.
     #[target_feature(enable = "avx2")]
     #[inline]
-    unsafe fn ask_four(
+    unsafe fn ask_four<const SHIFTED: bool>(
         balls: *const Ball<f64>,
-        numbers: &[u32],
-        from: usize,
+        numbers: &[MaybeUninit<u32>],
         own: &Own,
+        shift: [__m256d; 2],
         first: &mut First,
         seen: &mut Seen,
     ) {
         // SAFETY: a ball in f64 is eight numbers of eight bytes, aligned to a line.
         let [low, high] = unsafe {
-            let line = |k: usize| balls.add(*numbers.get_unchecked(from + k) as usize).cast::<f64>();
+            let line = |k: usize| balls.add(numbers.get_unchecked(k).assume_init() as usize).cast::<f64>();
             let lines = [line(0), line(1), line(2), line(3)];
             [lines.map(|line| _mm256_load_pd(line)), lines.map(|line| _mm256_load_pd(line.add(4)))]
         };
@@ -346,8 +415,11 @@ mod avx2 {
         let later = _mm256_max_pd(own.start, start);
         let (after_own, after) = (sub(later, own.start), sub(later, start));
         let place = |position, velocity, elapsed| add(position, mul(velocity, elapsed));
-        let dx = sub(place(x, vx, after), place(own.position[0], own.velocity[0], after_own));
-        let dy = sub(place(y, vy, after), place(own.position[1], own.velocity[1], after_own));
+        let mut dx = sub(place(x, vx, after), place(own.position[0], own.velocity[0], after_own));
+        let mut dy = sub(place(y, vy, after), place(own.position[1], own.velocity[1], after_own));
+        if SHIFTED {
+            (dx, dy) = (add(dx, shift[0]), add(dy, shift[1]));
+        }
         let (wx, wy) = (sub(vx, own.velocity[0]), sub(vy, own.velocity[1]));
         let radii = add(own.radius, radius);
         let radii_squared = mul(radii, radii);
@@ -355,14 +427,19 @@ mod avx2 {
 
         let of_contact = add(mul(radii, own.tolerance[0]), own.tolerance[1]);
         let tolerance = mul(add(radii, radii), of_contact);
-        let is_near = _mm256_cmp_pd::<_CMP_LE_OQ>(gap, tolerance);
-        seen.near = _mm256_or_pd(seen.near, _mm256_andnot_pd(is_left_out, is_near));
-
         let slope = add(mul(dx, wx), mul(dy, wy));
+        let zero = _mm256_setzero_pd();
+        let is_near = _mm256_cmp_pd::<_CMP_LE_OQ>(gap, tolerance);
+        let parts = _mm256_and_pd(
+            _mm256_and_pd(own.parting, _mm256_cmp_pd::<_CMP_GE_OQ>(slope, zero)),
+            _mm256_cmp_pd::<_CMP_GE_OQ>(gap, sub(zero, tolerance)),
+        );
+        let is_passed_over = _mm256_or_pd(is_left_out, parts);
+        seen.near = _mm256_or_pd(seen.near, _mm256_andnot_pd(is_passed_over, is_near));
+
         let miss = sub(mul(dx, wy), mul(dy, wx));
         let speed_squared = add(mul(wx, wx), mul(wy, wy));
         let discriminant = sub(mul(speed_squared, radii_squared), mul(miss, miss));
-        let zero = _mm256_setzero_pd();
         let closes = _mm256_and_pd(
             _mm256_cmp_pd::<_CMP_LT_OQ>(slope, zero),
             _mm256_cmp_pd::<_CMP_GT_OQ>(discriminant, zero),

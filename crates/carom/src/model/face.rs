@@ -48,6 +48,8 @@ pub struct Faces<S> {
     pub room: Option<Room<S>>,
     /// Whether these walls are all there is.
     pub is_room: bool,
+    /// Whether there is nothing to meet, not even walls: the table is periodic on both axes.
+    pub is_open: bool,
 }
 
 /// A rectangle along the axes.
@@ -63,12 +65,13 @@ impl<S: Scalar> Faces<S> {
     /// The faces, searched for a room.
     pub fn new(all: Vec<Face<S>>) -> Self {
         let room = Room::of(&all);
-        Self { is_room: room.is_some() && all.len() == 4, all, room }
+        Self { is_room: room.is_some() && all.len() == 4, is_open: false, all, room }
     }
 
     /// Opens the sides of a room across the axes that are periodic: those walls are infinitely far away, and the others
     /// infinitely long.
     pub fn open(&mut self, [across_x, across_y]: [bool; 2]) {
+        self.is_open = self.is_room && across_x && across_y;
         let Some(room) = &mut self.room else { return };
         let far = S::INFINITY;
         if across_x {

@@ -1,0 +1,84 @@
+//! How fast a gas of equal discs in a periodic box runs, and how well it keeps what it has to keep.
+//!
+//! `gas [packing fraction] [discs] [collisions]` prints one line; without numbers the whole table.
+
+#![allow(clippy::print_stdout, clippy::unwrap_used)]
+
+use carom::engine::{Limits, Simulation};
+use carom::flight::Flight;
+use carom::gas::{Arrangement, Recipe, make};
+use carom::geometry::Vec2;
+use carom::model::Disc;
+use carom::run::Nothing;
+use carom::scenario::{Scenario, System};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// A gas on a hexagonal lattice with Maxwell's velocities.
+fn gas(packing_fraction: f64, count: usize) -> System<f64> {
+    let recipe = Recipe { start: Arrangement::Hexagonal, ..Recipe::new(count, packing_fraction) };
+    let start = make(&recipe).unwrap();
+    let [width, length] = start.size;
+    let text = format!(
+        "collisions = 1\n[table]\nshape = 'rectangle'\nwidth = {width:?}\nlength = {length:?}\nperiodic = ['x', 'y']\n\
+         [[balls]]\nid = '0'\nradius = 0.5\nposition = [1, 1]"
+    );
+    let system = System::new(&Scenario::from_toml(&text).unwrap());
+    let flight = |(&position, &velocity)| Flight { start: 0.0, position, velocity, acceleration: Vec2::ZERO };
+    System {
+        discs: start
+            .radii
+            .iter()
+            .zip(&start.masses)
+            .map(|(&radius, &mass)| Disc::new(radius, mass))
+            .collect(),
+        flights: start.positions.iter().zip(&start.velocities).map(flight).collect(),
+        collapse_times: vec![1e-7; count],
+        ball_ids: Vec::new(),
+        ..system
+    }
+}
+
+/// Runs a gas until its lattice is gone and then measures; prints a line.
+fn measure(packing_fraction: f64, count: usize, collisions: u64) {
+    let system = Arc::new(gas(packing_fraction, count));
+    let limits = Limits { duration: None, collisions: None, max_events: u64::MAX, until: None };
+    let mut simulation: Simulation<f64> = Simulation::new(system, limits, &mut Nothing);
+    let melting = (30 * count as u64).min(4_000_000);
+    println!("{} {}", simulation.system().faces.is_room, simulation.system().faces.is_open);
+    let mut steps = |count: u64| {
+        let begin = Instant::now();
+        let mut left = count;
+        while left > 0 {
+            let slice = left.min(1_000_000);
+            simulation.advance(slice, &mut Nothing).unwrap();
+            left -= slice;
+        }
+        begin.elapsed().as_secs_f64()
+    };
+    steps(melting);
+    let mut rates: Vec<f64> = (0..5).map(|_| (collisions / 5) as f64 / steps(collisions / 5) / 1e6).collect();
+    rates.sort_by(f64::total_cmp);
+    let found = simulation.diagnostics();
+    let drift = found.energy_drift / found.initial_energy;
+    println!(
+        "{packing_fraction:7} {count:8} {:9.2} {:9.1e} {drift:9.1e} {:7.2}",
+        rates[2],
+        found.deepest_overlap,
+        found.predictions as f64 / found.total_events() as f64,
+    );
+}
+
+fn main() {
+    let arguments: Vec<f64> = std::env::args().skip(1).filter_map(|argument| argument.parse().ok()).collect();
+    println!("packing    discs million/s   overlap     drift  predictions");
+    if let [packing_fraction, count, collisions] = arguments[..] {
+        measure(packing_fraction, count as usize, collisions as u64);
+        return;
+    }
+    for packing_fraction in [0.2, 0.5, 0.7] {
+        for count in [1_000, 10_000, 100_000, 1_000_000] {
+            measure(packing_fraction, count, 10_000_000);
+        }
+    }
+}
