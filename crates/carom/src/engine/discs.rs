@@ -65,8 +65,13 @@ impl<S: Scalar> Engine<S> for Discs<S> {
     }
 
     fn reset(&mut self, observer: &mut impl Observer<S>) {
-        let start: Vec<_> = self.system.flights.iter().map(|&flight| (flight, Track::new())).collect();
-        self.put(&start, S::ZERO);
+        for (ball, flight) in self.system.flights.iter().enumerate() {
+            self.balls[ball] = Ball::new(ball, self.balls[ball].radius, flight, 0);
+            self.rest[ball] = Rest { acceleration: flight.acceleration, track: Track::new() };
+        }
+        if let Some(many) = &mut self.many {
+            many.put(&mut self.balls, S::ZERO);
+        }
         self.begin(observer);
     }
 
@@ -145,7 +150,7 @@ impl<S: Scalar> Discs<S> {
     fn step_among_few(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
         loop {
             let (ball, pending) = self.queue.first();
-            if pending.time > limit || pending.target == Target::Nothing {
+            if pending.time > limit || matches!(pending.target, Target::Nothing) {
                 return None;
             }
             if self.strike::<false>(ball, pending, observer) {

@@ -86,7 +86,11 @@ impl<S: Scalar> Discs<S> {
     /// The same of one of many balls.
     #[inline(always)]
     fn next_on_line(&self, line: &Ball<S>, flight: &Flight<S>, struck: Target) -> Option<Pending<S>> {
-        let next = self.next_cushion_in_the_clear(line.radius, flight, struck)?;
+        let next = if self.system.faces.is_open {
+            Pending::NEVER
+        } else {
+            self.next_cushion_in_the_clear(line.radius, flight, struck)?
+        };
         self.meeting_near(line, struck, next)
     }
 
@@ -95,9 +99,6 @@ impl<S: Scalar> Discs<S> {
     fn next_cushion_in_the_clear(&self, radius: S, flight: &Flight<S>, struck: Target) -> Option<Pending<S>> {
         if !self.is_plain {
             return None;
-        }
-        if self.system.faces.is_open {
-            return Some(Pending::NEVER);
         }
         let struck = if let Target::Cushion(cushion) = struck { cushion as usize } else { usize::MAX };
         let tolerance = self.system.tolerance.of(radius);

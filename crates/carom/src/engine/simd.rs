@@ -465,3 +465,78 @@ mod avx2 {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Answer, Ball, Candidates, Nearest, Shifts, Touch, first_meeting, first_meeting_plain};
+    use crate::flight::Flight;
+    use crate::geometry::Vec2;
+    use crate::model::{ContactTolerance, Table, rectangle};
+    use crate::random::Random;
+
+    /// Balls of several sizes at random places, some in touch, some at one time with others.
+    fn balls(random: &mut Random) -> Vec<Ball<f64>> {
+        let mut balls: Vec<Ball<f64>> = Vec::new();
+        for number in 0..40 {
+            let coarse = |x: f64| (x * 32.0).floor() / 32.0;
+            let position = Vec2::new(6.0 * random.unit(), 6.0 * coarse(random.unit()));
+            let velocity = Vec2::new(random.unit() - 0.5, coarse(random.unit()) - 0.5);
+            let flight = Flight { start: random.unit(), position, velocity, acceleration: Vec2::ZERO };
+            let radius = if random.below(4) == 0 { 0.0 } else { 0.3 * random.unit() };
+            let mut ball = Ball::new(number, radius, &flight, 0);
+            if random.below(30) == 0 {
+                ball.rounds = [1, -1];
+            }
+            // The mirror image of the one before, so that a ball on the axis meets both at one time.
+            if let Some(last) = balls.last().filter(|_| random.below(3) == 0) {
+                let mirrored = |v: Vec2<f64>| Vec2::new(v.x, -v.y);
+                ball = Ball { number: number as u32, ..*last };
+                (ball.position, ball.velocity) = (mirrored(last.position), mirrored(last.velocity));
+            }
+            balls.push(ball);
+        }
+        balls
+    }
+
+    #[test]
+    fn wide_registers_give_the_bits_of_the_plain_twin() {
+        let tolerance = ContactTolerance::new(&Table::new(rectangle(6.0, 6.0), Vec::new()));
+        let mut random = Random::new(3, "simd.test");
+        let mut answers = [0; 3];
+        for _ in 0..4000 {
+            let balls = balls(&mut random);
+            let own = balls[random.below(balls.len())];
+            // What fills up the registers is the ball that asks; where it has gone round, all are asked again.
+            if own.rounds != [0; 2] {
+                continue;
+            }
+            let touch =
+                if random.below(2) == 0 { Touch::Parting } else { Touch::Struck(random.below(40) as u32) };
+            let (mut candidates, mut shifts) = (Candidates::none(), Shifts::none());
+            for _ in 0..random.below(10) {
+                let four = [0; 4].map(|_| random.below(40) as u32);
+                let seen = [0; 4].map(|_| Vec2::new(6.0 * random.below(2) as f64, 0.0));
+                shifts.set_four(candidates.count(), seen);
+                candidates.add_of_four(&four, random.below(5));
+            }
+            let time = if random.below(2) == 0 { f64::INFINITY } else { 2.0 * random.unit() };
+            let other = if time < f64::INFINITY { random.below(41) as i64 - 1 } else { -1 };
+            let before = Nearest { time, offset: time, other };
+            for shifts in [None, Some(&shifts)] {
+                let (mut wide, mut plain) = (before, before);
+                let found =
+                    first_meeting(&balls, &own, touch, &mut candidates, shifts, &tolerance, &mut wide);
+                let twin =
+                    first_meeting_plain(&balls, &own, touch, &candidates, shifts, &tolerance, &mut plain);
+                answers[twin as usize] += 1;
+                if found == Answer::Known || twin == Answer::Known {
+                    assert_eq!(found, twin);
+                    assert_eq!(wide.time.to_bits(), plain.time.to_bits());
+                    assert_eq!(wide.offset.to_bits(), plain.offset.to_bits());
+                    assert_eq!(wide.other, plain.other);
+                }
+            }
+        }
+        assert!(answers.iter().all(|&count| count > 100), "{answers:?}");
+    }
+}

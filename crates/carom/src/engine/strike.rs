@@ -53,7 +53,7 @@ impl<S: Scalar> Discs<S> {
         offset: S,
         observer: &mut impl Observer<S>,
     ) {
-        let bounce = self.bounce(ball, cushion, time, offset);
+        let bounce = self.bounce::<MANY>(ball, cushion, time, offset);
         let flight = self.free_flight(time, bounce.after());
         if let Some(next) = self.next_on::<MANY>(ball, &flight, Target::Cushion(cushion)) {
             self.begin_flight(ball, flight);
@@ -72,9 +72,11 @@ impl<S: Scalar> Discs<S> {
     }
 
     #[inline(always)]
-    fn bounce(&self, ball: usize, cushion: u32, time: S, offset: S) -> Bounce<S> {
+    fn bounce<const MANY: bool>(&self, ball: usize, cushion: u32, time: S, offset: S) -> Bounce<S> {
         let mut before = self.state_after(&self.flight(ball), offset);
-        before.position = self.system.wrapped(before.position, self.balls[ball].rounds);
+        if MANY {
+            before.position = self.system.wrapped(before.position, self.balls[ball].rounds);
+        }
         let face = &self.system.faces.all[cushion as usize];
         let (normal, normal_scale) = face.normal_at(before.position);
         let law = self.cushion_law(ball, cushion, time);
@@ -96,7 +98,7 @@ impl<S: Scalar> Discs<S> {
         offset: S,
         observer: &mut impl Observer<S>,
     ) {
-        let mut bounce = self.bounce(ball, cushion, time, offset);
+        let mut bounce = self.bounce::<true>(ball, cushion, time, offset);
         let before = bounce.before;
         // A ball pulled onto a cushion may meet it without closing; such a contact does nothing.
         let closing_speed = -bounce.rebound.normal_velocity;
@@ -141,7 +143,7 @@ impl<S: Scalar> Discs<S> {
         observer: &mut impl Observer<S>,
     ) {
         let [a, b] = if ball < other { [ball, other] } else { [other, ball] };
-        let collision = self.collision([a, b], time, offset);
+        let collision = self.collision::<MANY>([a, b], time, offset);
         let [flight_a, flight_b] = collision.after().map(|state| self.free_flight(time, state));
         let next_a = self.next_on::<MANY>(a, &flight_a, Target::Ball(b as u32, 0));
         let next_b = self.next_on::<MANY>(b, &flight_b, Target::Ball(a as u32, 0));
@@ -167,7 +169,7 @@ impl<S: Scalar> Discs<S> {
     }
 
     #[inline(always)]
-    fn collision(&self, balls: [usize; 2], time: S, offset: S) -> Collision<S> {
+    fn collision<const MANY: bool>(&self, balls: [usize; 2], time: S, offset: S) -> Collision<S> {
         let discs = balls.map(|ball| self.system.discs[ball]);
         let [a, b] = balls.map(|ball| self.flight(ball));
         let start = a.later_start(&b);
@@ -175,10 +177,13 @@ impl<S: Scalar> Discs<S> {
             let State { position, velocity } = self.state_after(&flight, start - flight.start);
             self.state_after(&Flight { position, velocity, ..flight }, offset)
         });
-        for (state, ball) in before.iter_mut().zip(balls) {
-            state.position = self.system.wrapped(state.position, self.balls[ball].rounds);
+        let mut separation = before[1].position - before[0].position;
+        if MANY {
+            for (state, ball) in before.iter_mut().zip(balls) {
+                state.position = self.system.wrapped(state.position, self.balls[ball].rounds);
+            }
+            separation = self.system.shortest(before[1].position - before[0].position);
         }
-        let separation = self.system.shortest(before[1].position - before[0].position);
         let pair = Pair::new([&discs[0], &discs[1]], separation, before.map(|state| state.velocity));
         let law = self.ball_law(balls[0], balls[1], time);
         let kept_speed = self.kept_speed(balls[0], Some(balls[1]));
@@ -191,7 +196,7 @@ impl<S: Scalar> Discs<S> {
     /// The same in a field, between thin walls, or with something else in touch.
     #[inline(never)]
     fn strike_ball_near(&mut self, [a, b]: [usize; 2], time: S, offset: S, observer: &mut impl Observer<S>) {
-        let collision = self.collision([a, b], time, offset);
+        let collision = self.collision::<true>([a, b], time, offset);
         let struck = [a, b].map(|ball| self.struck(ball, collision.start - self.balls[ball].start + offset));
         for (ball, state) in [a, b].into_iter().zip(collision.after()) {
             self.begin_flight(ball, self.free_flight(time, state));

@@ -34,6 +34,11 @@ pub trait Dynamics<S: Scalar>: Clone + Debug + PartialEq + Send + Sync + 'static
     /// When a flight begins.
     fn start(flight: &Self::Flight) -> S;
 
+    /// A ball's last flight with all the way that led to it, which on a periodic table is kept beside it.
+    fn last_flight(_: &Self::System, (flight, _): &(Self::Flight, Self::Track)) -> Self::Flight {
+        *flight
+    }
+
     /// The state that a flight gives at a time.
     fn state_at(flight: &Self::Flight, time: S) -> Self::State;
 
@@ -82,6 +87,10 @@ impl<S: Scalar> Dynamics<S> for Plane {
 
     fn start(flight: &Flight<S>) -> S {
         flight.start
+    }
+
+    fn last_flight(system: &System<S>, (flight, track): &(Flight<S>, Track<S>)) -> Flight<S> {
+        system.unwrapped(flight, track.image)
     }
 
     fn state_at(flight: &Flight<S>, time: S) -> State<S> {

@@ -131,14 +131,17 @@ impl<S: Scalar, D: Dynamics<S>> Run<S, D> {
         if let Some(steps) = &self.steps {
             return Ok(D::state_in_steps(steps, time));
         }
-        Ok((0..self.balls.len()).map(|ball| D::state_at(self.flight(ball, time), time)).collect())
+        Ok((0..self.balls.len()).map(|ball| D::state_at(&self.flight(ball, time), time)).collect())
     }
 
     /// The state of each ball at the end.
     pub fn final_state(&self) -> Vec<D::State> {
         match &self.steps {
             Some(steps) => D::state_in_steps(steps, self.end_time),
-            None => self.balls.iter().map(|(flight, _)| D::state_at(flight, self.end_time)).collect(),
+            None => {
+                let state = |ball| D::state_at(&D::last_flight(&self.system, ball), self.end_time);
+                self.balls.iter().map(state).collect()
+            }
         }
     }
 
@@ -176,13 +179,13 @@ impl<S: Scalar, D: Dynamics<S>> Run<S, D> {
     }
 
     /// The flight a ball is on at a time; at an event's own time, the one that begins there.
-    fn flight(&self, ball: usize, time: S) -> &D::Flight {
+    fn flight(&self, ball: usize, time: S) -> D::Flight {
         if !self.log.keeps_flights {
-            return &self.balls[ball].0;
+            return D::last_flight(&self.system, &self.balls[ball]);
         }
         let flights = &self.flights_by_ball()[ball];
         let later = flights.partition_point(|&k| D::start(&self.log.flights[k as usize].1) <= time);
-        &self.log.flights[flights[later.max(1) - 1] as usize].1
+        self.log.flights[flights[later.max(1) - 1] as usize].1
     }
 
     fn flights_by_ball(&self) -> &[Vec<u32>] {

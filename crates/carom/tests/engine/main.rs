@@ -40,6 +40,7 @@ mod laws;
 mod laws_with_spin;
 mod leaks;
 mod midterm;
+mod periodic;
 mod pockets;
 mod references;
 mod resting;
