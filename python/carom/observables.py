@@ -95,6 +95,9 @@ class Curve(ColumnTable):
         self.units: dict[str, str] = {column["name"]: column["unit"] for column in columns}
         self.descriptions: dict[str, str] = {column["name"]: column["description"] for column in columns}
 
+    def __repr__(self) -> str:
+        return f"{self.name}: {len(self)} rows of {', '.join(self.names)}"
+
 
 class Observable:
     """What one observable found; ``found["compressibility_factor"]`` gives a number, ``found["speeds"]`` a curve.
@@ -125,7 +128,7 @@ class Observable:
 
     @property
     def table(self) -> ColumnTable:
-        """The numbers as a table: ``quantity``, ``value``, ``error``, ``expected`` (NaN where there is none), ``unit``."""
+        """The numbers as a table: `quantity`, `value`, `error`, `expected` and `unit`; NaN for what is absent."""
         rows = list(self.quantities.values())
 
         def floats(name: str) -> list[float]:
@@ -171,7 +174,7 @@ class Observable:
         wide = max(map(len, self.quantities), default=0)
         lines = [self.name]
         for each in self.quantities.values():
-            unit = "" if each.unit == "1" else f" {each.unit}"
+            unit = "" if each.unit == "1" or each.value is None else f" {each.unit}"
             expected = "" if each.expected is None else f" (expected {each.expected:.6g})"
             lines.append(f"  {each.name:<{wide}}  {told(each.value, each.error)}{unit}{expected}")
         lines += [f"  {each!r}" for each in self.curves.values()]

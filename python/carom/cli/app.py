@@ -12,6 +12,7 @@ from carom.cli import ending_with_the_pipe
 from carom.cli.bench import bench
 from carom.cli.check import check, verify
 from carom.cli.compare import compare
+from carom.cli.gas import gas
 from carom.cli.run import run
 from carom.cli.scenarios import scenarios, schema
 
@@ -82,6 +83,10 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
         "carom compare midterm midterm_stepped --out out/both",
         "carom compare midterm --set-b balls.red.velocity[0]=3.1",
         "carom compare midterm_stepped --with mine.csv --columns t,xr,yr,xb,yb",
+    ],
+    gas: [
+        "carom gas --n 1000 --packing-fraction 0.5 --collisions 1e6 --equilibrate 100 --seed 0",
+        "carom gas my_gas.toml --observe pressure,radial_distribution --out out/gas",
     ],
     check: ["carom check my.toml"],
     verify: ["carom verify out/mine/run.json"],

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 
     Numbers = NDArray[np.float64]
 
+FEW = 0.6
+"""A value with a larger relative error than this is not drawn."""
+
 
 def plot_observable(observable: Observable, ax: Axes | None = None) -> Axes:
     """Draw the curve of an observable that has one.
@@ -60,13 +63,12 @@ def _density(curve: Curve, over: str, theory: str, words: str, ax: Axes | None) 
     ax = plain_axes(ax)
     place = 0.5 * (curve["start"] + curve["end"]) if over == "start" else curve[over]
     density, error = curve["density"], np.nan_to_num(curve["density_error"])
-    met = density > 0.0
-    # On a logarithmic scale an error as large as its value would reach to the bottom.
-    below = np.minimum(error, 0.9 * density)
+    # Bins of one or two counts say nothing.
+    met = (density > 0.0) & (error < FEW * density)
     ax.errorbar(
         place[met],
         density[met],
-        (below[met], error[met]),
+        error[met],
         fmt="o",
         markersize=3,
         linewidth=0.8,
