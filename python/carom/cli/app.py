@@ -85,8 +85,7 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
         "carom compare midterm_stepped --with mine.csv --columns t,xr,yr,xb,yb",
     ],
     gas: [
-        "carom gas --n 1000 --packing-fraction 0.5 --collisions 1e6 --equilibrate 100 --seed 0",
-        "carom gas my_gas.toml --observe pressure,radial_distribution --out out/gas",
+        "carom gas fifty_random --equilibrate 20 --observe pressure,speeds",
     ],
     check: ["carom check my.toml"],
     verify: ["carom verify out/mine/run.json"],
