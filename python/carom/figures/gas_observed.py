@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
     Numbers = NDArray[np.float64]
 
-FEW = 0.6
-"""A value with a larger relative error than this is not drawn."""
+FEWEST = 3.0
+"""Bins in which fewer counts than this are expected are not drawn."""
 
 
 def plot_observable(observable: Observable, ax: Axes | None = None) -> Axes:
@@ -63,8 +63,9 @@ def _density(curve: Curve, over: str, theory: str, words: str, ax: Axes | None) 
     ax = plain_axes(ax)
     place = 0.5 * (curve["start"] + curve["end"]) if over == "start" else curve[over]
     density, error = curve["density"], np.nan_to_num(curve["density_error"])
-    # Bins of one or two counts say nothing.
-    met = (density > 0.0) & (error < FEW * density)
+    # density / error² is how many counts there are to a unit of density. Chosen by what is expected and not by what was
+    # met, as bins that happened to have many would stand out.
+    met = (density > 0.0) & (curve[theory] * density >= FEWEST * error**2)
     ax.errorbar(
         place[met],
         density[met],
