@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from carom.events import Event, EventTable
     from carom.library import presets, scenarios
     from carom.method import Exact, Stepped
+    from carom.observables import Curve, Observable, Observables, Quantity
     from carom.physics import (
         ByIncidence,
         BySpeed,
@@ -108,6 +109,7 @@ _HOMES = {
         "Restitution",
         "StrongeCompliant",
     ],
+    "observables": ["Curve", "Observable", "Observables", "Quantity"],
     "rack": ["Rack"],
     "run": ["Reference", "Run", "Verification", "load_run"],
     "scenario": ["Scenario", "load"],
@@ -129,6 +131,7 @@ __all__ = [
     "Cloth",
     "ColumnTable",
     "Cue",
+    "Curve",
     "Damping",
     "Difference",
     "Elastic",
@@ -145,10 +148,13 @@ __all__ = [
     "Mathavan2014",
     "MissingExtraError",
     "Mouth",
+    "Observable",
+    "Observables",
     "Parting",
     "Path",
     "Physics",
     "Pocket",
+    "Quantity",
     "Rack",
     "Reference",
     "Restitution",

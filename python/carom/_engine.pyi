@@ -3,6 +3,7 @@
 Scenarios and options go over as JSON text. Words such as kinds and ids go over as codes into lists, −1 for none.
 """
 
+from collections.abc import Callable
 from typing import Any, TypedDict, final
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 __all__ = [
     "EVENT_KINDS",
     "MOTIONS",
+    "OBSERVABLES",
     "PHYSICS_VERSION",
     "Run",
     "Scenario",
@@ -26,6 +28,7 @@ __all__ = [
     "open_pot",
     "open_pots",
     "presets",
+    "run_observed",
     "schema",
 ]
 
@@ -33,6 +36,7 @@ __version__: str
 PHYSICS_VERSION: int
 EVENT_KINDS: list[str]
 MOTIONS: list[str]
+OBSERVABLES: list[str]
 
 class _EventColumns(TypedDict):
     index: NDArray[np.int64]
@@ -59,6 +63,29 @@ class _StepColumns(TypedDict):
     vy: NDArray[np.float64]
     hit: NDArray[np.int8]
 
+class _Quantity(TypedDict):
+    name: str
+    value: float | None
+    error: float | None
+    unit: str
+    description: str
+    expected: float | None
+
+class _Column(TypedDict):
+    name: str
+    unit: str
+    description: str
+    values: NDArray[np.float64]
+
+class _Curve(TypedDict):
+    name: str
+    columns: list[_Column]
+
+class _Results(TypedDict):
+    name: str
+    quantities: list[_Quantity]
+    curves: list[_Curve]
+
 def bundled_scenarios() -> dict[str, str]: ...
 def presets() -> dict[str, str]: ...
 def schema() -> str: ...
@@ -70,6 +97,13 @@ def open_pots(scenario: Scenario, cue_ball: str | None) -> str: ...
 def open_pot(scenario: Scenario, ball: str, pocket: str, cue_ball: str | None) -> str: ...
 def obstructions(scenario: Scenario) -> str: ...
 def least_elevation_deg(scenario: Scenario) -> float | None: ...
+def run_observed(
+    scenario: Scenario,
+    options_json: str,
+    requests_json: str,
+    sampling: tuple[float, float | None],
+    progress: Callable[[float, int, int], object] | None,
+) -> tuple[Run, list[_Results]]: ...
 
 @final
 class Scenario:

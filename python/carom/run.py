@@ -15,6 +15,7 @@ from carom.columns import ColumnTable
 from carom.errors import RunError, ScenarioError
 from carom.events import Event, EventTable, decoded
 from carom.files import read_text, write_text
+from carom.observables import Observables
 from carom.options import options_json
 from carom.scenario import Scenario
 
@@ -94,10 +95,13 @@ class Run:
         The ids of the balls, in the order of every array's ball axis.
     physics_version : int
         The version of the physics that it was made with.
+    observables : Observables
+        What was measured while it ran, by name; empty where nothing was asked for, and in a run that was loaded.
     """
 
-    def __init__(self, native: _engine.Run) -> None:
+    def __init__(self, native: _engine.Run, observables: Observables | None = None) -> None:
         self._native = native
+        self.observables = Observables() if observables is None else observables
         self.status = native.status
         self.end_time = native.end_time
         self.ball_ids = native.ball_ids
@@ -439,7 +443,10 @@ class Run:
         return self._native.to_json()
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the run to `path` as JSON; `carom.load_run` reads it."""
+        """Write the run to `path` as JSON; `carom.load_run` reads it.
+
+        It holds the run, not what was measured of it: ``run.observables.save`` writes that into files of its own.
+        """
         write_text(path, self.to_json() + "\n")
 
     def plot_paths(self, ax: Axes | None = None, *, numbers: bool | None = None) -> Axes:
@@ -543,8 +550,8 @@ class Run:
 
     __hash__ = None  # type: ignore[assignment]
 
-    def __reduce__(self) -> tuple[Callable[[str], Run], tuple[str]]:
-        return _from_json, (self.to_json(),)
+    def __reduce__(self) -> tuple[Callable[[str, Observables], Run], tuple[str, Observables]]:
+        return _from_json, (self.to_json(), self.observables)
 
     def __repr__(self) -> str:
         from carom.summary import summary_of_run
@@ -583,5 +590,5 @@ def _outcome(text: str) -> str:
     return json.dumps({key: value for key, value in values.items() if key not in ("diagnostics", "carom")})
 
 
-def _from_json(text: str) -> Run:
-    return Run(_engine.Run.from_json(text))
+def _from_json(text: str, observables: Observables | None = None) -> Run:
+    return Run(_engine.Run.from_json(text), observables)

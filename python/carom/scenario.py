@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from carom.cue import Cue, Shot
     from carom.events import Event
     from carom.method import Method
+    from carom.observables import Progress, Request
     from carom.physics import Physics
     from carom.rack import Rack
     from carom.run import Run
@@ -297,6 +298,10 @@ class Scenario:
         max_events: int | None = None,
         record: Record | None = None,
         until: str | Callable[[Event], bool] | None = None,
+        observe: Request | Sequence[Request] | None = None,
+        equilibrate: float | None = None,
+        sample_interval: float | None = None,
+        progress: Progress | None = None,
     ) -> Run:
         """Compute the run; what is given here goes before what the scenario says.
 
@@ -315,11 +320,22 @@ class Scenario:
         until : str or callable, optional
             End with the first event of this kind, or with the first event for which the function is true;
             the run's status is then ``stopped``. A function needs the exact method, a kind does not.
+        observe : sequence of str or mapping, optional
+            What to measure of a gas of discs while it runs, for `Run.observables`: names, or mappings of `name` and
+            options, such as ``{"name": "radial_distribution", "range": 3}``. It moves no trajectory.
+        equilibrate : float, optional
+            Collisions of each disc with others before measuring begins; absent: none. They count for the limits.
+        sample_interval : float, optional
+            The time between samples; absent: that of ten collisions of each disc.
+        progress : callable, optional
+            Called now and then with the time, the collisions and the samples so far; what is true ends the run, with
+            status ``interrupted`` and what was measured so far. Only with `observe`.
 
         Raises
         ------
         ScenarioError
-            When the options do not fit the scenario, or each other.
+            When the options do not fit the scenario, or each other; when it is no gas in a rectangle that can be
+            observed, or the run ends before there are two samples.
         SimulationError
             When the run breaks one of its own invariants.
         KeyboardInterrupt
@@ -329,6 +345,16 @@ class Scenario:
 
         options: dict[str, Any] = {"method": method, "duration": duration, "collisions": collisions}
         options |= {"max_events": max_events, "record": record}
+        measuring = {"equilibrate": equilibrate, "sample_interval": sample_interval, "progress": progress}
+        if observe is not None:
+            if callable(until):
+                raise TypeError("until: must be a kind of event where there is something to observe")
+            from carom.observables import observed
+
+            text = options_json({**options, "until": until})
+            return Run(*observed(self, text, observe, (equilibrate, sample_interval), progress))
+        if given := [name for name, value in measuring.items() if value is not None]:
+            raise TypeError(f"{given[0]}: belongs to observe=[...], and nothing is observed")
         if callable(until):
             return self._start(options).run_until_true(until)
         return Run(self._native.run(options_json({**options, "until": until})))

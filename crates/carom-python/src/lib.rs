@@ -5,6 +5,7 @@ mod bundled;
 mod columns;
 mod errors;
 mod interrupt;
+mod observe;
 mod outline;
 mod run;
 mod scenario;
@@ -28,6 +29,8 @@ mod _engine {
     #[pymodule_export]
     use crate::bundled::{bundled_scenarios, presets};
     #[pymodule_export]
+    use crate::observe::run_observed;
+    #[pymodule_export]
     use crate::run::Run;
     #[pymodule_export]
     use crate::scenario::{Scenario, schema};
@@ -39,6 +42,7 @@ mod _engine {
         module.add("__version__", carom::run::VERSION)?;
         module.add("PHYSICS_VERSION", carom::run::PHYSICS_VERSION)?;
         module.add("EVENT_KINDS", Kind::ALL.map(Kind::name))?;
+        module.add("OBSERVABLES", carom::observe::NAMES)?;
         module.add("MOTIONS", Motion::ALL.map(Motion::name))
     }
 }

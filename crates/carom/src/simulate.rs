@@ -1,6 +1,7 @@
 //! From a scenario to a run, by the method that the scenario names.
 
 mod any;
+mod observed;
 mod verify;
 
 use crate::engine::{Discs, Engine, Limits, Simulation, Spheres};
@@ -11,6 +12,7 @@ use crate::scenario::schema::{Method, Record};
 use crate::scenario::{Scenario, ScenarioError, System};
 use crate::stepped::{self, Ends, Readings};
 pub use any::{Any, AnyRun, AnySimulation};
+pub use observed::{COLLISIONS_PER_SAMPLE, ObservedError, Progress, Sampling, simulate_observed};
 use serde_json::Value;
 use std::sync::Arc;
 pub use verify::{Difference, verify};

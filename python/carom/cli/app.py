@@ -12,6 +12,7 @@ from carom.cli import ending_with_the_pipe
 from carom.cli.bench import bench
 from carom.cli.check import check, verify
 from carom.cli.compare import compare
+from carom.cli.gas import gas
 from carom.cli.run import run
 from carom.cli.scenarios import scenarios, schema
 
@@ -82,6 +83,9 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
         "carom compare midterm midterm_stepped --out out/both",
         "carom compare midterm --set-b balls.red.velocity[0]=3.1",
         "carom compare midterm_stepped --with mine.csv --columns t,xr,yr,xb,yb",
+    ],
+    gas: [
+        "carom gas fifty_random --equilibrate 20 --observe pressure,speeds",
     ],
     check: ["carom check my.toml"],
     verify: ["carom verify out/mine/run.json"],

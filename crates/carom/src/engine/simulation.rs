@@ -71,6 +71,8 @@ impl<S: Scalar> Limits<S> {
 }
 
 type SystemOf<S, E> = <<E as Engine<S>>::Dynamics as Dynamics<S>>::System;
+type FlightOf<S, E> = <<E as Engine<S>>::Dynamics as Dynamics<S>>::Flight;
+type TrackOf<S, E> = <<E as Engine<S>>::Dynamics as Dynamics<S>>::Track;
 type StateOf<S, E> = <<E as Engine<S>>::Dynamics as Dynamics<S>>::State;
 
 impl<S: Scalar, E: Engine<S>> Simulation<S, E> {
@@ -302,6 +304,14 @@ impl<S: Scalar, E: Engine<S>> Simulation<S, E> {
         (0..self.engine.ball_count())
             .map(|ball| E::Dynamics::state_at(&self.engine.ball(ball).0, self.time))
             .collect()
+    }
+
+    /// Hands over the flight of each ball, and what goes with it, in the order of the balls.
+    pub fn each_ball(&self, mut hand_over: impl FnMut(FlightOf<S, E>, TrackOf<S, E>)) {
+        for ball in 0..self.engine.ball_count() {
+            let (flight, track) = self.engine.ball(ball);
+            hand_over(flight, track);
+        }
     }
 
     /// What each ball is about to do, in the order of the balls.

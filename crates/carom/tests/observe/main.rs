@@ -5,6 +5,7 @@
 mod block_errors;
 mod kit;
 mod motion;
+mod observed_runs;
 mod pressures;
 mod requests;
 mod resumption;
