@@ -38,6 +38,7 @@ if TYPE_CHECKING:
         TrajectoryError,
     )
     from carom.events import Event, EventTable
+    from carom.gases import gas
     from carom.library import presets, scenarios
     from carom.method import Exact, Stepped
     from carom.physics import (
@@ -89,6 +90,7 @@ _HOMES = {
         "TrajectoryError",
     ],
     "events": ["Event", "EventTable"],
+    "gases": ["gas"],
     "library": ["presets", "scenarios"],
     "method": ["Exact", "Stepped"],
     "physics": [
@@ -174,6 +176,7 @@ __all__ = [
     "compare",
     "compare_steps",
     "compare_trajectory",
+    "gas",
     "load",
     "load_run",
     "presets",
