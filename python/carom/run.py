@@ -351,8 +351,8 @@ class Run:
         """Give the scenario that goes on from the end of this run, without a shot.
 
         The balls are where they lie, and move as they do then, if they still do; those out of play are left out, and
-        so is the rack. A gas becomes a table with balls, and on a periodic table each ball lies inside. Everything else is
-        kept.
+        so is the rack. A gas becomes a table with balls, and on a periodic table each ball lies inside. Everything
+        else is kept.
 
         Raises
         ------

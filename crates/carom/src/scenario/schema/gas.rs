@@ -121,7 +121,7 @@ pub struct Species {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.0, max = 1.0))]
     pub fraction: Option<f64>,
-    /// How many discs are of this kind, in place of `fraction`.
+    /// How many discs are of this kind; or `fraction`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(max = 100_000_000))]
     pub number: Option<usize>,
