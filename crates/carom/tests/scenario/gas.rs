@@ -82,6 +82,8 @@ fn what_a_gas_cannot_be_stands_at_its_key() {
     assert!(narrow[0].starts_with("gas.periodic: the width of the box is 2.5066 diameters"), "{narrow:?}");
     let start = at("n = 100\npacking_fraction = 0.6\nstart = 'random'");
     assert!(start[0].starts_with("gas.packing_fraction: start = \"random\" reaches 0.5"), "{start:?}");
+    let foreign = at("count = 100\npacking_fraction = 0.6");
+    assert!(foreign[0].starts_with("gas.count: unknown key; did you mean n?"), "{foreign:?}");
     let unknown = at("n = 100\npacking_fraction = 0.6\nstart = 'hexagon'");
     assert!(
         unknown[0].starts_with("gas.start: unknown value \"hexagon\"; did you mean hexagonal?"),
