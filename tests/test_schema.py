@@ -65,6 +65,18 @@ def _friction_of_a_word(values: Values) -> None:
     values["physics"]["ball_ball"] = {"law": "frictional", "normal": 0.9, "friction": "small"}
 
 
+def _axis_of_depth(values: Values) -> None:
+    values["table"]["periodic"] = ["z"]
+
+
+def _axis_twice(values: Values) -> None:
+    values["table"]["periodic"] = ["x", "x"]
+
+
+def _gas_of_nothing(values: Values) -> None:
+    values["gas"] = {"n": 0, "packing_fraction": 0.5}
+
+
 def _rack_of_no_game(values: Values) -> None:
     values["rack"] = {"seed": 1}
 
@@ -81,6 +93,9 @@ BREAKS = [
     _shot_into_the_cloth,
     _friction_of_a_word,
     _rack_of_no_game,
+    _axis_of_depth,
+    _axis_twice,
+    _gas_of_nothing,
 ]
 
 
@@ -100,6 +115,13 @@ def test_balls_may_be_left_out_where_there_is_a_rack(validator: Draft202012Valid
     values = {"table": {"preset": "pool_9ft"}, "rack": {"game": "nine_ball"}}
     assert validator.is_valid(values)
     assert carom.Scenario.from_dict(values).to_dict() == {"format": 1} | values
+
+
+def test_a_gas_stands_in_place_of_a_table_and_balls(validator: Draft202012Validator) -> None:
+    values = {"duration": 1.0, "gas": {"n": 20, "packing_fraction": 0.3}}
+    assert validator.is_valid(values)
+    assert carom.Scenario.from_dict(values).to_dict() == {"format": 1} | values
+    assert not validator.is_valid({"duration": 1.0, "balls": carom.load("midterm").to_dict()["balls"]})
 
 
 def test_files_are_valid_as_they_are_written(validator: Draft202012Validator) -> None:

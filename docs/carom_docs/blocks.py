@@ -171,7 +171,8 @@ def same_output(shown: str, given: str) -> bool:
 
 
 def _try_scenario(block: Block, values: Mapping[str, Any]) -> None:
-    whole = values if {"table", "balls"} <= values.keys() else laid_over(carom.load("midterm").to_dict(), values)
+    is_whole = {"table", "balls"} <= values.keys() or "gas" in values
+    whole = values if is_whole else laid_over(carom.load("midterm").to_dict(), values)
     try:
         carom.Scenario.from_dict(whole).run(max_events=MOST_EVENTS, record="none")
     except carom.CaromError as error:

@@ -38,6 +38,7 @@ if TYPE_CHECKING:
         TrajectoryError,
     )
     from carom.events import Event, EventTable
+    from carom.gases import gas
     from carom.library import presets, scenarios
     from carom.method import Exact, Stepped
     from carom.observables import Curve, Observable, Observables, Quantity
@@ -90,6 +91,7 @@ _HOMES = {
         "TrajectoryError",
     ],
     "events": ["Event", "EventTable"],
+    "gases": ["gas"],
     "library": ["presets", "scenarios"],
     "method": ["Exact", "Stepped"],
     "physics": [
@@ -180,6 +182,7 @@ __all__ = [
     "compare",
     "compare_steps",
     "compare_trajectory",
+    "gas",
     "load",
     "load_run",
     "presets",

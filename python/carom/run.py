@@ -120,7 +120,7 @@ class Run:
     @cached_property
     def record(self) -> str:
         """What was kept: ``all``, ``events`` or ``none``."""
-        return str(self.scenario.to_dict().get("record", "all"))
+        return self.scenario.record
 
     @cached_property
     def events(self) -> EventTable:
@@ -355,7 +355,8 @@ class Run:
         """Give the scenario that goes on from the end of this run, without a shot.
 
         The balls are where they lie, and move as they do then, if they still do; those out of play are left out, and
-        so is the rack. Everything else is kept.
+        so is the rack. A gas becomes a table with balls, and on a periodic table each ball lies inside. Everything
+        else is kept.
 
         Raises
         ------
@@ -363,8 +364,15 @@ class Run:
             When no ball is left.
         """
         values = self.scenario.to_dict()
-        balls = {ball["id"]: ball for ball in self.scenario.expanded().to_dict()["balls"]}
-        rows = [{**_unmoved(balls[name]), **motion} for name, motion in self._motions_at_end().items()]
+        expanded = self.scenario.expanded().to_dict()
+        balls = {ball["id"]: ball for ball in expanded["balls"]}
+        motions = self._motions_at_end()
+        for axis, side in (("x", "width"), ("y", "length")):
+            if axis in expanded["table"].get("periodic", ()):
+                for motion in motions.values():
+                    motion["position"]["xy".index(axis)] %= expanded["table"][side]
+        rows = [{**_unmoved(balls[name]), **motion} for name, motion in motions.items()]
+        values = expanded if "gas" in values else values
         rest = {key: value for key, value in values.items() if key not in ("rack", "shot", "balls")}
         return Scenario.from_dict({**rest, "balls": rows})
 

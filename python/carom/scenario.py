@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from carom import _engine, library
+from carom import arrays as np
 from carom.ball import Ball
 from carom.encoding import plain, to_json
 from carom.errors import ScenarioError
@@ -17,6 +18,7 @@ from carom.options import Record, check_counts, options_json
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike
 
     from carom.cue import Cue, Shot
     from carom.events import Event
@@ -132,6 +134,63 @@ class Scenario:
         return cls.from_json(to_json(values))
 
     @classmethod
+    def from_arrays(
+        cls,
+        table: Table | Mapping[str, Any],
+        positions: ArrayLike,
+        velocities: ArrayLike | None = None,
+        *,
+        radii: ArrayLike,
+        masses: ArrayLike = 1.0,
+        ids: Sequence[str] | None = None,
+        **more: Any,
+    ) -> Scenario:
+        """Put a scenario together from arrays with a row for each ball.
+
+        Parameters
+        ----------
+        table : Table
+            The region the balls move in.
+        positions : (n_balls, 2) array_like
+            Centres, in length.
+        velocities : (n_balls, 2) array_like, optional
+            Velocities, in length per time; absent: at rest.
+        radii, masses : float or (n_balls,) array_like
+            Radii, in length, and masses, 1 if they are not given; a single number is that of all balls.
+        ids : sequence of str, optional
+            The names of the balls; absent: "0", "1", ...
+        **more
+            Any other key of a scenario, as `Scenario` takes them.
+
+        Raises
+        ------
+        ValueError
+            When the arrays do not have these shapes, with the name of the one that does not.
+        ScenarioError
+            When the scenario does not hold together.
+
+        Examples
+        --------
+        >>> import carom
+        >>> table = carom.Table.rectangle(width=1, length=1, periodic=("x", "y"))
+        >>> carom.Scenario.from_arrays(table, [[0.2, 0.2], [0.8, 0.5]], radii=0.1, duration=1).ball_ids
+        ['0', '1']
+        """
+        places = np.asarray(positions, dtype=float)
+        if places.ndim != 2 or places.shape[1] != 2:
+            raise ValueError(f"positions: must have the shape (n_balls, 2), got {places.shape}")
+        count = len(places)
+        given = {
+            "id": _rows("ids", [str(ball) for ball in range(count)] if ids is None else list(ids), (count,)),
+            "radius": _rows("radii", radii, (count,)),
+            "mass": _rows("masses", masses, (count,)),
+            "position": places.tolist(),
+            "velocity": _rows("velocities", np.zeros(2) if velocities is None else velocities, (count, 2)),
+        }
+        balls = [dict(zip(given, row, strict=True)) for row in zip(*given.values(), strict=True)]
+        return cls(table, balls, **more)
+
+    @classmethod
     def check(cls, source: str | os.PathLike[str] | Mapping[str, Any]) -> list[tuple[str, str]]:
         """Give every problem of a scenario as (place, message); none means that it holds together.
 
@@ -185,8 +244,13 @@ class Scenario:
         return self._native.is_on_cloth
 
     @property
+    def record(self) -> Record:
+        """What a run keeps: ``all``, ``events`` or ``none``."""
+        return self._native.record
+
+    @property
     def balls(self) -> list[Ball]:
-        """The balls in order, those of the rack too, each with its radius, mass and velocity filled in.
+        """The balls in order, those of the rack or the gas too, each with its radius, mass and velocity filled in.
 
         On a cloth places and velocities have three numbers and spins are filled in too: as they are before the cue
         strikes.
@@ -265,7 +329,7 @@ class Scenario:
         return type(self).from_dict({**values, "balls": balls if new in balls else [*balls, new]})
 
     def expanded(self) -> Scenario:
-        """Give the same scenario with its preset and its rack in plain keys.
+        """Give the same scenario with its preset, its rack and its gas in plain keys.
 
         Examples
         --------
@@ -283,8 +347,8 @@ class Scenario:
         dict
             ``bounds`` is [x_min, y_min, x_max, y_max]; ``size`` the table's size; ``pieces`` a list of lines
             (``start``, ``end``) and arcs (``center``, ``radius``, ``from_deg``, ``to_deg``), each with ``id``,
-            ``kind`` and ``part`` (``boundary`` or ``obstacle``); ``pockets`` a list of ``id``, ``center`` and
-            ``radius``.
+            ``kind`` and ``part`` (``boundary``, ``obstacle``, or ``periodic`` for an open side); ``pockets`` a list
+            of ``id``, ``center`` and ``radius``.
         """
         outline: dict[str, Any] = json.loads(self._native.outline())
         return outline
@@ -401,6 +465,15 @@ class Scenario:
         from carom.report import scenario_card
 
         return scenario_card(self)
+
+
+def _rows(name: str, values: ArrayLike, shape: tuple[int, ...]) -> list[Any]:
+    """Give an array of a shape as lists; what holds for all rows is repeated."""
+    try:
+        rows: list[Any] = np.broadcast_to(np.asarray(values), shape).tolist()
+    except ValueError:
+        raise ValueError(f"{name}: must have the shape {shape}, got {np.shape(values)}") from None
+    return rows
 
 
 def _in_file(source: str | os.PathLike[str], place: str) -> str:

@@ -45,7 +45,7 @@ def summary_of_run(run: Run) -> str:
         ("method", _setting(values.get("method", {"kind": "exact"}))),
     ]
     facts += [("lost time", _with_unit(diagnostics["lost_time"], units, "time"))] if diagnostics["lost_time"] else []
-    facts += [("record", values["record"])] if "record" in values else []
+    facts += [("record", run.record)] if "record" in values or run.record != "all" else []
     facts += [("digest", digest[:DIGEST_SHOWN] + MORE)] if digest else []
     return block(f"Run of {values['title']!r}" if "title" in values else "Run", facts)
 
@@ -53,7 +53,8 @@ def summary_of_run(run: Run) -> str:
 def facts_of_scenario(scenario: Scenario) -> list[Fact]:
     """Give what a scenario says, each by its name."""
     values, units = scenario.to_dict(), scenario.units
-    facts = [("table", _table(values["table"])), ("balls", _named(scenario.ball_ids))]
+    facts: list[Fact] = [(name, _table(values[name])) for name in ("table", "gas") if name in values]
+    facts.append(("balls", _named(scenario.ball_ids)))
     facts += [(name, _setting(values[name])) for name in ("rack", "shot", "cue") if name in values]
     for name, law in values.get("physics", {}).items():
         facts += _cushions(law) if name == "cushions" else [(f"physics.{name}", _setting(law))]

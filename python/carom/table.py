@@ -92,6 +92,9 @@ class Path(Section):
 Obstacle = Circle | Wall | Path
 """What can stand on a table."""
 
+Axis = Literal["x", "y"]
+"""An axis of a table: across its width, or along its length."""
+
 NoseContact = Literal["nose", "plan"]
 """Where a ball touches the nose of a cushion: where the nose is, or one radius from it as seen from above."""
 
@@ -154,6 +157,7 @@ class Table(Section):
     name: str | None = None
     width: float | None = None
     length: float | None = None
+    periodic: Sequence[Axis] | None = None
     radius: float | None = None
     cushion_width: float | None = None
     corner: Mouth | None = None
@@ -230,16 +234,22 @@ class Table(Section):
         *,
         width: float,
         length: float,
+        periodic: Sequence[Axis] = (),
         obstacles: Sequence[Obstacle] = (),
         nose_height: float | None = None,
         nose_contact: NoseContact | None = None,
         pockets: Sequence[Pocket] = (),
     ) -> Table:
-        """Give a rectangle, lower left corner at the origin; cushions ``left, right, bottom, top``."""
+        """Give a rectangle, lower left corner at the origin; cushions ``left, right, bottom, top``.
+
+        Along the axes in `periodic`, such as ``("x", "y")``, it has no cushions: a ball that leaves on one side comes
+        in on the other.
+        """
         return cls(
             "rectangle",
             width=width,
             length=length,
+            periodic=list(periodic) or None,
             obstacles=obstacles or None,
             nose_height=nose_height,
             nose_contact=nose_contact,

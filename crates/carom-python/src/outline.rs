@@ -1,11 +1,15 @@
 //! What there is to draw of a table.
 
 use carom::geometry::{Arc, Piece, Vec2};
-use carom::model::{Outline, OutlineKind, Pocket, Table};
+use carom::model::{Outline, OutlineKind, Pocket};
+use carom::scenario::schema;
 use serde_json::{Value, json};
 
-/// The cushions of a table as a JSON value, lines and arcs in order, those of the boundary first; and its pockets.
-pub fn outline(table: &Table<f64>) -> Value {
+/// The cushions and open sides of a table as a JSON value, lines and arcs in order, those of the boundary first; and its
+/// pockets.
+pub fn outline(written: &schema::Table) -> Value {
+    let (table, open) = (&written.layout(&mut |_, value| value), written.open_sides());
+    let pieces = |outline| pieces(outline, &open);
     let (min, max) = (table.bounds.min, table.bounds.max);
     json!({
         "size": table.size(),
@@ -19,9 +23,13 @@ fn pocket(pocket: &Pocket<f64>) -> Value {
     json!({ "id": pocket.id, "center": point(pocket.center), "radius": pocket.radius })
 }
 
-fn pieces(outline: &Outline<f64>) -> impl Iterator<Item = Value> + '_ {
-    let part = if outline.kind == OutlineKind::Boundary { "boundary" } else { "obstacle" };
-    outline.cushions.iter().map(move |cushion| piece(&cushion.id, part, &cushion.piece))
+fn pieces(outline: &Outline<f64>, open: &[&str]) -> Vec<Value> {
+    let part = |id: &str| match outline.kind {
+        OutlineKind::Boundary if open.contains(&id) => "periodic",
+        OutlineKind::Boundary => "boundary",
+        OutlineKind::Obstacle | OutlineKind::Wall => "obstacle",
+    };
+    outline.cushions.iter().map(|cushion| piece(&cushion.id, part(&cushion.id), &cushion.piece)).collect()
 }
 
 fn piece(id: &str, part: &str, piece: &Piece<f64>) -> Value {

@@ -6,6 +6,7 @@ use crate::outline::outline;
 use crate::run::Run;
 use crate::simulation::Simulation;
 use carom::run::Kind;
+use carom::scenario::schema::Record;
 use carom::scenario::{self, json_schema};
 use carom::simulate::AnyRun;
 use pyo3::exceptions::PyValueError;
@@ -71,10 +72,10 @@ impl Scenario {
 
     /// What there is to draw of the table, as JSON text.
     fn outline(&self) -> String {
-        outline(&self.0.expanded().table.layout(&mut |_, value| value)).to_string()
+        outline(&self.0.expanded().table).to_string()
     }
 
-    /// The scenario with its preset and its rack turned into plain keys.
+    /// The scenario with its preset, its rack and its gas turned into plain keys.
     fn expanded(&self) -> Self {
         Self(self.0.expanded().into_owned())
     }
@@ -82,7 +83,17 @@ impl Scenario {
     /// Whether the balls roll and spin on a cloth.
     #[getter]
     fn is_on_cloth(&self) -> bool {
-        self.0.expanded().physics.has_cloth()
+        self.0.has_cloth()
+    }
+
+    /// What a run keeps: "all", "events" or "none".
+    #[getter]
+    fn record(&self) -> &'static str {
+        match self.0.record() {
+            Record::All => "all",
+            Record::Events => "events",
+            Record::None => "none",
+        }
     }
 
     /// The balls as JSON text, with radius, mass, velocity and, on a cloth, spin filled in; before the cue strikes.

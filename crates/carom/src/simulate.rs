@@ -135,7 +135,8 @@ fn go_on<D: Simulated>(
 
 /// An empty log that keeps what the scenario wants kept.
 pub fn log_of<D: Dynamics<f64>>(scenario: &Scenario) -> Log<f64, D> {
-    Log::new(scenario.record != Record::None, scenario.record == Record::All)
+    let record = scenario.record();
+    Log::new(record != Record::None, record == Record::All)
 }
 
 /// When a run of a scenario ends.
@@ -166,7 +167,7 @@ struct Scheme {
 fn scheme_of(scenario: &Scenario) -> Option<Scheme> {
     let Method::Stepped { dt, after_hit, normal, last_step, steps } = scenario.method else { return None };
     // A checked scenario of this method has a rectangle, which is its own bounding box.
-    let size = scenario.table.layout(&mut |_, value| value).bounds.max;
+    let size = scenario.expanded().table.layout(&mut |_, value| value).bounds.max;
     let readings = Readings { dt, after_hit, normal, last_step };
     Some(Scheme { readings, steps, size: [size.x, size.y] })
 }

@@ -31,6 +31,8 @@ CUSHION_POINTS = 8.0
 def draw_table(ax: Axes, scene: Scene, *, margin: float = MARGIN) -> None:
     """Draw cloth, cushions and obstacles in true proportion; of a table for cue sports also pockets and frame.
 
+    A periodic side, which has no cushion, is a thin dashed line.
+
     Parameters
     ----------
     ax : Axes
@@ -49,6 +51,11 @@ def draw_table(ax: Axes, scene: Scene, *, margin: float = MARGIN) -> None:
         x, y = scene.bounds[:2]
         ax.add_patch(Rectangle((x, y), scene.width, scene.height, facecolor=style.CLOTH, zorder=0.2))
     for part, path in loops:
+        if part == "periodic":
+            ax.add_patch(
+                PathPatch(path, fill=False, edgecolor=style.NOSE, linewidth=0.8, linestyle=(0, (4, 3)), zorder=0.5)
+            )
+            continue
         cushion = style.CUSHION
         ax.add_patch(
             PathPatch(
@@ -231,7 +238,7 @@ def table_contains(scene: Scene) -> Any:
         points = points[np.all(np.isfinite(points), axis=1)]
         if scene.rails is not None and not _within(scene, points):
             return False
-        held = [path.contains_points(points) == (part == "boundary") for part, path in loops if is_closed(path)]
+        held = [path.contains_points(points) == (part != "obstacle") for part, path in loops if is_closed(path)]
         return bool(np.all(held))
 
     return inside

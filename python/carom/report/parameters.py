@@ -34,9 +34,10 @@ def table_rows(scenario: Scenario) -> list[Row]:
     """Give the table's shape, its sizes, and the pieces, pockets and obstacles that it has."""
     table: Values = scenario.expanded().to_dict()["table"]
     length = scenario.units.get("length")
-    name = scenario.to_dict()["table"].get("preset")
+    name = scenario.to_dict().get("table", {}).get("preset")
     rows = [Row("preset", name, presets()[name])] if name else []
     rows.append(Row("shape", table["shape"]))
+    rows += [Row("periodic", " and ".join(table["periodic"]))] if "periodic" in table else []
     rows += [
         Row(key.replace("_", " "), _size(value, length))
         for key, value in table.items()

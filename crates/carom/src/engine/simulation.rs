@@ -301,9 +301,8 @@ impl<S: Scalar, E: Engine<S>> Simulation<S, E> {
 
     /// The state of each ball at the present time.
     pub fn state(&self) -> Vec<StateOf<S, E>> {
-        (0..self.engine.ball_count())
-            .map(|ball| E::Dynamics::state_at(&self.engine.ball(ball).0, self.time))
-            .collect()
+        let flight = |ball| E::Dynamics::last_flight(self.engine.system(), &self.engine.ball(ball));
+        (0..self.engine.ball_count()).map(|ball| E::Dynamics::state_at(&flight(ball), self.time)).collect()
     }
 
     /// Hands over the flight of each ball, and what goes with it, in the order of the balls.

@@ -15,7 +15,7 @@ const FRACTION_TOLERANCE: f64 = 1e-9;
 /// Checks a recipe; the first problem is what is returned.
 pub(super) fn check(recipe: &Recipe) -> Result<(), Error> {
     let count = recipe.count as f64;
-    number("count", count, "from 1 to 100000000", (1..=MOST_DISCS).contains(&recipe.count))?;
+    number("n", count, "from 1 to 100000000", (1..=MOST_DISCS).contains(&recipe.count))?;
     let fraction = recipe.packing_fraction;
     number("packing_fraction", fraction, "above 0 and below 1", fraction > 0.0 && fraction < 1.0)?;
     if let Some(aspect) = recipe.aspect {

@@ -28,7 +28,7 @@ pub enum Error {
         sum: f64,
     },
     /// Numbers that are not those of all discs.
-    #[error("sizes.species: the numbers must sum to count = {count}, these sum to {sum}")]
+    #[error("sizes.species: the numbers must sum to n = {count}, these sum to {sum}")]
     Numbers {
         /// Their sum.
         sum: usize,
@@ -54,8 +54,8 @@ pub enum Error {
     },
     /// A periodic box in which a disc would meet its own images.
     #[error(
-        "periodic: the {side} of the box is {diameters:.4} diameters of the largest disc, and a periodic one must be 3 at \
-         least; take more discs, a lower packing_fraction, another aspect or walls"
+        "periodic: the {side} of the box is {diameters:.4} diameters of the largest disc, and a periodic one must be more \
+         than 3; take more discs, a lower packing_fraction, another aspect or walls"
     )]
     PeriodicTooNarrow {
         /// `width` or `length`.
@@ -66,7 +66,7 @@ pub enum Error {
     /// A lattice in a box of given aspect whose neighbours would overlap.
     #[error(
         "packing_fraction: {count} discs on a {lattice} lattice in a box of this aspect would be {spacing:.6} apart, less \
-         than the largest diameter, {diameter}; take a lower packing_fraction, another count, or no aspect, which then \
+         than the largest diameter, {diameter}; take a lower packing_fraction, another n, or no aspect, which then \
          follows the lattice"
     )]
     LatticeTooDense {

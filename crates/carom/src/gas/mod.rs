@@ -28,6 +28,7 @@ pub use recipe::{Amount, Arrangement, Distribution, Masses, Recipe, Sizes, Speci
 
 use crate::geometry::Vec2;
 use crate::random::Random;
+pub use space::PERIODIC_DIAMETERS;
 use space::Space;
 
 /// Up to this packing fraction an automatic start is random: there it takes a few trials for each disc.

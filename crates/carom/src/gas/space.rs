@@ -3,8 +3,9 @@
 use super::error::Error;
 use crate::geometry::Vec2;
 
-/// The engine asks for this many diameters of the largest disc across a periodic side.
-const PERIODIC_DIAMETERS: f64 = 3.0;
+/// The engine asks for this many diameters of the largest disc across a periodic side: three, each in a cell that is
+/// larger by a hair.
+pub const PERIODIC_DIAMETERS: f64 = 3.0 * (1.0 + 2e-6);
 
 /// Names of the sides.
 const SIDES: [&str; 2] = ["width", "length"];

@@ -1,4 +1,4 @@
-//! Presets and racks turned into plain keys.
+//! Presets, racks and gases turned into plain keys.
 //!
 //! What a preset gives lies under what is written, key by key; a law that is written replaces the preset's whole.
 
@@ -10,9 +10,9 @@ use super::schema::{
 use std::borrow::Cow;
 
 impl Scenario {
-    /// This scenario with its preset and its rack turned into plain keys, and its cue filled in where there is a shot.
+    /// This scenario with its preset, its rack and its gas turned into plain keys, and its cue filled in where there is a shot.
     ///
-    /// Balls keep their places: first come those that are written, then those of the rack that are not. So a place such as
+    /// A gas that cannot be made, which a check refuses, has no table and no balls. Balls keep their places: first come those that are written, then those of the rack that are not. So a place such as
     /// `balls[2].radius` is the same in both.
     ///
     /// ```
@@ -25,6 +25,11 @@ impl Scenario {
     /// # Ok::<(), carom::scenario::ScenarioError>(())
     /// ```
     pub fn expanded(&self) -> Cow<'_, Self> {
+        if let Some(gas) = &self.gas {
+            let (table, balls) = gas.table_and_balls().unwrap_or_default();
+            let plain = Self { table, balls, gas: None, record: Some(self.record()), ..self.clone() };
+            return Cow::Owned(plain.with_plain_record());
+        }
         if self.table.preset().is_none() && self.rack.is_none() && self.shot.is_none() {
             return Cow::Borrowed(self);
         }
@@ -43,6 +48,13 @@ impl Scenario {
             balls: balls.into_iter().flatten().collect(),
             ..self.clone()
         })
+    }
+}
+
+impl Scenario {
+    /// Whether the balls roll and spin on a cloth.
+    pub fn has_cloth(&self) -> bool {
+        self.physics.over(self.table.preset().map(|table| table.preset)).has_cloth()
     }
 }
 
@@ -87,7 +99,7 @@ impl PresetTable {
                 *nose_contact = self.nose_contact.or(*nose_contact);
             }
             // No file of equipment has another shape.
-            Table::Circle { .. } | Table::Path { .. } | Table::Preset(_) => {}
+            Table::Circle { .. } | Table::Path { .. } | Table::Preset(_) | Table::Absent => {}
         }
         table
     }

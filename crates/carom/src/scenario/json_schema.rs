@@ -12,13 +12,21 @@ pub fn json_schema() -> &'static Value {
         if let Value::Object(keys) = &mut schema {
             keys.insert("$id".into(), json!("urn:carom:scenario:1"));
             keys.insert("title".into(), json!("Carom scenario"));
-            // Balls may be left out where there is a rack; the check of the whole says so in words.
-            keys.insert("if".into(), json!({ "not": { "required": ["rack"] } }));
-            keys.insert("then".into(), json!({ "required": ["balls"] }));
+            // A gas stands in place of a table and balls, and balls may be left out where there is a rack; the check of
+            // the whole says so in words.
+            let balls = json!({ "required": ["balls"] });
+            let table = json!({ "required": ["table"], "if": unless("rack"), "then": balls });
+            keys.insert("if".into(), unless("gas"));
+            keys.insert("then".into(), table);
         }
         schema
     });
     &SCHEMA
+}
+
+/// What holds where a key is absent.
+fn unless(key: &str) -> Value {
+    json!({ "not": { "required": [key] } })
 }
 
 /// Takes out the alternative `null`: in a file, what is absent is left out.

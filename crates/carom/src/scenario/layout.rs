@@ -33,6 +33,7 @@ impl Table {
             }
             .outline(),
             Table::Preset(_) => return self.expanded().layout(number),
+            Table::Absent => (Vec::new(), Vec::new()),
         };
         let obstacles =
             self.obstacles().iter().enumerate().map(|(k, item)| obstacle(k, item, number)).collect();

@@ -4,6 +4,7 @@ mod check;
 mod cloth_system;
 mod equipment;
 mod expand;
+mod gas;
 mod json;
 mod json_schema;
 mod layout;

@@ -1,7 +1,7 @@
 //! "Did you mean ...": the known word nearest to a misspelt one.
 
 /// Words that people bring from elsewhere, and what they are called here.
-const CALLED_HERE: [(&str, &str); 25] = [
+const CALLED_HERE: [(&str, &str); 27] = [
     ("angle", "direction_deg"),
     ("angle_deg", "direction_deg"),
     ("phi", "direction_deg"),
@@ -27,6 +27,8 @@ const CALLED_HERE: [(&str, &str); 25] = [
     ("time", "duration"),
     ("t_end", "duration"),
     ("timestep", "dt"),
+    ("count", "n"),
+    ("eta", "packing_fraction"),
 ];
 
 /// How alike two words must be, from 0 (nothing in common) to 1 (the same).

@@ -4,7 +4,7 @@ use super::check::{Draft, check};
 use super::expand::with_rack;
 use super::json;
 use super::problem::{Findings, Problem, ScenarioError};
-use super::schema::{Ball, BallDefaults, Cue, FORMAT, Physics, Rack, Scenario, Shot, Table};
+use super::schema::{Ball, BallDefaults, Cue, FORMAT, Gas, Physics, Rack, Scenario, Shot, Table};
 use super::structure::check_structure;
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -33,7 +33,7 @@ impl Scenario {
             Ok(scenario) => {
                 check(&Draft::of(&scenario, &scenario.expanded()), &mut findings);
                 findings.into_result()?;
-                Ok(scenario)
+                Ok(Self::with_plain_record(scenario))
             }
             Err(error) => {
                 check_parts(&usable, &mut findings);
@@ -88,6 +88,7 @@ fn empty() -> Problem {
 
 /// Checks what can be read of a scenario that cannot be read as a whole.
 fn check_parts(usable: &Value, findings: &mut Findings) {
+    let gas: Option<Gas> = part(usable.get("gas"));
     let written: Option<Table> = part(usable.get("table"));
     let preset = written.as_ref().and_then(Table::preset).map(|table| table.preset);
     let table = written.as_ref().map(Table::expanded);
@@ -109,6 +110,7 @@ fn check_parts(usable: &Value, findings: &mut Findings) {
         balls: balls.iter().map(Option::as_ref).collect(),
         written_balls: written_balls.len(),
         rack: rack.as_ref(),
+        gas: gas.as_ref(),
         cue: &cue,
         shot: shot.as_ref(),
         duration: part(usable.get("duration")),

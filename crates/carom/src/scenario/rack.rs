@@ -35,7 +35,7 @@ pub(super) fn ground_of(table: &Table) -> Option<[f64; 2]> {
         Table::Rectangle { width, length, .. } | Table::PocketTable { width, length, .. } => {
             Some([*width, *length])
         }
-        Table::Circle { .. } | Table::Path { .. } | Table::Preset(_) => None,
+        Table::Circle { .. } | Table::Path { .. } | Table::Preset(_) | Table::Absent => None,
     }
 }
 

@@ -54,7 +54,7 @@ impl Scenario {
             let (path, changed) = (path.as_ref(), changed.to_mut());
             let number = value.as_u64().filter(|number| (1..=i64::MAX as u64).contains(number));
             match path {
-                "record" => changed.record = Record::deserialize(value).ok()?,
+                "record" => changed.record = Some(Record::deserialize(value).ok()?),
                 "duration" => {
                     changed.duration = Some(value.as_f64().filter(|time| (0.0..=LARGEST).contains(time))?)
                 }
@@ -64,7 +64,7 @@ impl Scenario {
             }
         }
         // How long a stepped run may be depends on its step.
-        (values.is_empty() || self.method == Method::Exact).then(|| changed.into_owned())
+        (values.is_empty() || self.method == Method::Exact).then(|| changed.into_owned().with_plain_record())
     }
 
     /// The value at a path: what is written there, or else what the preset or the rack gives.

@@ -3,7 +3,6 @@
 use super::{SimulationOf, simulate_until, start_watched};
 use crate::run::{Kind, Log, Observer, OnCloth, Plane, Run, RunFileError, SimulationError, from_json};
 use crate::scenario::Scenario;
-use serde_json::Value;
 
 /// Something of discs or of balls on a cloth.
 #[derive(Clone, Debug)]
@@ -40,7 +39,7 @@ impl AnyRun {
         until: Option<Kind>,
         interrupted: &mut dyn FnMut() -> bool,
     ) -> Result<Self, SimulationError> {
-        Ok(if has_cloth(scenario) {
+        Ok(if scenario.has_cloth() {
             Self::OnCloth(Box::new(simulate_until(scenario, until, interrupted)?))
         } else {
             Self::Plane(Box::new(simulate_until(scenario, until, interrupted)?))
@@ -77,7 +76,7 @@ impl AnySimulation {
     where
         W: Observer<f64, Plane> + Observer<f64, OnCloth>,
     {
-        if has_cloth(scenario) {
+        if scenario.has_cloth() {
             Self::OnCloth(Box::new(start_watched(scenario, until, watcher)))
         } else {
             Self::Plane(Box::new(start_watched(scenario, until, watcher)))
@@ -85,17 +84,11 @@ impl AnySimulation {
     }
 }
 
-/// Whether a scenario is one of balls on a cloth.
-fn has_cloth(scenario: &Scenario) -> bool {
-    scenario.expanded().physics.has_cloth()
-}
-
 /// Whether a saved run is one of balls on a cloth. What cannot be told here is found out when the run is read.
 fn is_on_cloth(text: &str) -> bool {
     #[derive(serde::Deserialize)]
     struct Header {
-        scenario: Value,
+        scenario: Scenario,
     }
-    let Ok(Header { scenario }) = serde_json::from_str(text) else { return false };
-    Scenario::from_json(&scenario.to_string()).is_ok_and(|scenario| has_cloth(&scenario))
+    serde_json::from_str::<Header>(text).is_ok_and(|header| header.scenario.has_cloth())
 }

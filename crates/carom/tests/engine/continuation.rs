@@ -207,7 +207,7 @@ fn what_a_run_keeps_changes_no_bit_of_it() {
         let whole = run(&scenario);
         for record in [Record::Events, Record::None] {
             let mut other = scenario.clone();
-            other.record = record;
+            other.record = Some(record);
             let other = run(&other);
             assert_eq!(other.digest(), whole.digest(), "{name}");
             assert_eq!(other.diagnostics, whole.diagnostics, "{name}");
@@ -277,7 +277,7 @@ fn a_stepped_run_keeps_what_it_is_told_to() {
     let steps = whole.steps.clone().unwrap();
     assert_eq!(steps.steps.len() as u64, steps.count + 1);
     for record in [Record::Events, Record::None] {
-        scenario.record = record;
+        scenario.record = Some(record);
         let short = run(&scenario);
         assert_eq!(short.steps.as_ref().unwrap().steps, steps.steps[steps.steps.len() - 1..]);
         assert_eq!(short.diagnostics, whole.diagnostics);

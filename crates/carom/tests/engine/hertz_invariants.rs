@@ -295,7 +295,7 @@ fn a_run_with_cushions_in_its_clusters_keeps_account_of_its_energy() {
             "ball_ball": { "law": "restitution", "normal": e },
             "ball_cushion": { "law": "restitution", "normal": e, "tangential": 0.9 } });
         let mut scenario = scenario(&rectangle(1.0, 1.0), &physics, &balls);
-        (scenario.duration, scenario.record) = (Some(2.0), Record::All);
+        (scenario.duration, scenario.record) = (Some(2.0), Some(Record::All));
         let run = simulate(&scenario).unwrap();
         let found = &run.diagnostics;
         assert!(found.clusters > 0 && found.forced_clusters == 0, "{found:?}");

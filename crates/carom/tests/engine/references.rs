@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 fn run_of(physics: &Value, record: Record) -> Run<f64> {
     let balls = [ball(0.1, [0.5, 0.5], [1.0, 0.0]), ball(0.1, [1.0, 1.5], [0.0, 0.0])];
     let mut scenario = scenario(&rectangle(2.0, 2.0), physics, &balls);
-    (scenario.duration, scenario.record) = (Some(5.0), record);
+    (scenario.duration, scenario.record) = (Some(5.0), Some(record));
     simulate(&scenario).unwrap()
 }
 

@@ -95,6 +95,9 @@ fn renumbering_changes_no_bit_of_any_scenario_file() {
         if name.contains("stepped") {
             continue; // the steps' own rule orders candidates of one time by number
         }
+        if scenario.gas.is_some() {
+            continue; // cushions are renumbered as those of a path, and no path has open sides
+        }
         scenario.max_events = Some(2000);
         for seed in 0..4 {
             assert_renumbering_changes_nothing(&scenario, &mut Random::new(seed), &name);

@@ -19,8 +19,8 @@ fn gas() -> Recipe {
 
 #[test]
 fn numbers_outside_their_range() {
-    refused(Recipe { count: 0, ..gas() }, &["count: must be from 1 to 100000000, got 0"]);
-    refused(Recipe { count: usize::MAX, ..gas() }, &["count: must be"]);
+    refused(Recipe { count: 0, ..gas() }, &["n: must be from 1 to 100000000, got 0"]);
+    refused(Recipe { count: usize::MAX, ..gas() }, &["n: must be"]);
     for packing_fraction in [0.0, -0.1, 1.0, f64::NAN, f64::INFINITY] {
         refused(
             Recipe { packing_fraction, ..gas() },
@@ -64,11 +64,11 @@ fn species_that_do_not_add_up() {
     );
     refused(
         sizes(&[(Amount::Number(50), 1.0, 1.0), (Amount::Number(51), 1.0, 1.0)]),
-        &["sizes.species: the numbers must sum to count = 100, these sum to 101"],
+        &["sizes.species: the numbers must sum to n = 100, these sum to 101"],
     );
     refused(
         sizes(&[(Amount::Number(usize::MAX), 1.0, 1.0), (Amount::Number(2), 1.0, 1.0)]),
-        &["must sum to count = 100"],
+        &["must sum to n = 100"],
     );
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         refused(sizes(&[(half, 1.0, 1.0), (half, wrong, 1.0)]), &["sizes.species[1].diameter: must be"]);
@@ -107,7 +107,7 @@ fn distributions_with_negative_diameters_or_none() {
 #[test]
 fn boxes_that_are_too_small() {
     for start in [Square, Hexagonal, Random, Compressed, Automatic] {
-        refused(recipe(1, 0.4, start), &["periodic: the", "diameters of the largest disc", "3 at least"]);
+        refused(recipe(1, 0.4, start), &["periodic: the", "diameters of the largest disc", "more than 3"]);
     }
     for start in [Square, Hexagonal, Random, Compressed] {
         let walls = Recipe { periodic: [false, false], aspect: Some(50.0), ..recipe(10, 0.4, start) };

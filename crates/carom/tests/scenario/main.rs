@@ -8,6 +8,8 @@ mod cloth;
 mod common;
 mod equipment;
 mod files;
+mod gas;
+mod periodic;
 mod pocket_tables;
 mod racks;
 mod stories;

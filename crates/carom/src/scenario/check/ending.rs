@@ -39,7 +39,8 @@ fn never_rests(draft: &Draft<'_>, table: &Table<f64>) -> Option<String> {
             format!("cushion {id:?}, onto which the field pulls, gives all the normal speed back")
         });
     }
-    if table.cushions().all(|cushion| law_of(draft.physics, &cushion.id).is_dead()) {
+    let has_open_sides = draft.table.is_some_and(|table| table.periodic() != [false; 2]);
+    if !has_open_sides && table.cushions().all(|cushion| law_of(draft.physics, &cushion.id).is_dead()) {
         return None;
     }
     let is_moving = |(index, ball): &(usize, &Ball)| {

@@ -5,15 +5,26 @@ use super::{Findings, Rounded};
 use crate::model;
 use crate::scenario::nearest::suggestion;
 use crate::scenario::path::Key;
-use crate::scenario::schema::{BallCushion, CushionFriction, Physics, Rebound};
+use crate::scenario::schema::{BallCushion, CushionFriction, Physics, Rebound, Table};
 use core::f64::consts::FRAC_PI_2;
 
 /// Notes laws of cushions and corners that do not exist.
-pub(super) fn check_laws(physics: &Physics, table: &model::Table<f64>, findings: &mut Findings) {
+pub(super) fn check_laws(
+    physics: &Physics,
+    written: &Table,
+    table: &model::Table<f64>,
+    findings: &mut Findings,
+) {
     let corners = table.corners.iter().map(|corner| corner.id.as_str());
-    let known: Vec<&str> = table.cushions().map(|cushion| cushion.id.as_str()).chain(corners).collect();
+    let open = written.open_sides();
+    let cushions = table.cushions().map(|cushion| cushion.id.as_str()).filter(|id| !open.contains(id));
+    let known: Vec<&str> = cushions.chain(corners).collect();
     for id in physics.cushions.keys().filter(|id| !known.contains(&id.as_str())) {
-        let message = format!("the table has no such cushion or corner{}", suggestion(id, &known));
+        let message = if open.contains(&id.as_str()) {
+            "the table has no such cushion: this side is periodic, and balls pass through it".into()
+        } else {
+            format!("the table has no such cushion or corner{}", suggestion(id, &known))
+        };
         findings.add(format_args!("physics.cushions.{}", Key(id)), message);
     }
 }

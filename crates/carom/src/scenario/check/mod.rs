@@ -7,9 +7,11 @@ mod balls;
 mod boundary;
 mod cloth;
 mod ending;
+mod gas;
 mod ids;
 mod laws;
 mod magnitude;
+mod periodic;
 mod placement;
 mod pockets;
 mod rack;
@@ -19,10 +21,10 @@ mod stepped;
 pub use magnitude::LARGEST;
 
 use super::problem::Findings;
-use super::schema::{Ball, BallDefaults, Cue, Method, Physics, Rack, Record, Scenario, Shot, Table};
+use super::schema::{Ball, BallDefaults, Cue, Gas, Method, Physics, Rack, Record, Scenario, Shot, Table};
 use core::fmt;
 
-/// What could be read of a scenario, with its preset and its rack turned into plain keys.
+/// What could be read of a scenario, with its preset, its rack and its gas turned into plain keys.
 pub(crate) struct Draft<'a> {
     /// The table as it is written.
     pub written: Option<&'a Table>,
@@ -30,10 +32,11 @@ pub(crate) struct Draft<'a> {
     pub physics: &'a Physics,
     pub method: &'a Method,
     pub ball_defaults: &'a BallDefaults,
-    /// The balls: first those that are written, so many of them, then those of the rack.
+    /// The balls: first those that are written, so many of them, then those of the rack, or all those of the gas.
     pub balls: Vec<Option<&'a Ball>>,
     pub written_balls: usize,
     pub rack: Option<&'a Rack>,
+    pub gas: Option<&'a Gas>,
     pub cue: &'a Cue,
     pub shot: Option<&'a Shot>,
     pub duration: Option<f64>,
@@ -46,18 +49,19 @@ impl<'a> Draft<'a> {
     pub fn of(written: &'a Scenario, expanded: &'a Scenario) -> Self {
         Self {
             written: Some(&written.table),
-            table: Some(&expanded.table),
+            table: Some(&expanded.table).filter(|table| **table != Table::Absent),
             physics: &expanded.physics,
             method: &expanded.method,
             ball_defaults: &expanded.ball_defaults,
             balls: expanded.balls.iter().map(Some).collect(),
             written_balls: written.balls.len(),
             rack: written.rack.as_ref(),
+            gas: written.gas.as_ref(),
             cue: &expanded.cue,
             shot: expanded.shot.as_ref(),
             duration: expanded.duration,
             collisions: expanded.collisions,
-            record: expanded.record,
+            record: written.record(),
         }
     }
 
@@ -66,24 +70,30 @@ impl<'a> Draft<'a> {
         self.balls.iter().enumerate().filter_map(|(index, ball)| Some((index, (*ball)?)))
     }
 
-    /// Where a key of a ball is written, or else the rack that the ball is from.
+    /// Where a key of a ball is written, or else the rack or the gas that the ball is from.
     fn place(&self, index: usize, key: &str) -> String {
-        if index < self.written_balls { format!("balls[{index}].{key}") } else { "rack".into() }
+        match self.gas {
+            Some(_) => "gas".into(),
+            None if index < self.written_balls => format!("balls[{index}].{key}"),
+            None => "rack".into(),
+        }
     }
 }
 
 /// Notes everything that is wrong with a scenario whose structure has been checked.
 pub(crate) fn check(draft: &Draft<'_>, findings: &mut Findings) {
+    gas::check_gas(draft, findings);
     magnitude::check_magnitudes(draft, findings);
     rack::check_rack(draft, findings);
     balls::check_balls(draft, findings);
     cloth::check_cloth(draft, findings);
     laws::check_parameters(draft.physics, findings);
     shot::check_shot(draft, findings);
+    periodic::check_periodic(draft, findings);
     let table = draft.table.map(|table| (table, table.layout(&mut |_, value| value)));
     if let Some((written, table)) = &table {
         ids::check_cushion_ids(written, table, findings);
-        laws::check_laws(draft.physics, table, findings);
+        laws::check_laws(draft.physics, written, table, findings);
         pockets::check_pockets(draft, table, findings);
         boundary::check_boundary(written, table, findings);
         if findings.is_sound("table") {

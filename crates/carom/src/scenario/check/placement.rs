@@ -21,6 +21,39 @@ struct Disc<'a> {
     reach: f64,
 }
 
+/// The sides of the table as balls see them: those without cushions, and how far it is once round.
+struct Sides {
+    open: Vec<&'static str>,
+    /// Along each axis; infinite where it is not periodic.
+    rounds: [f64; 2],
+}
+
+impl Sides {
+    fn of(draft: &Draft<'_>, table: &Table<f64>) -> Self {
+        let (open, periodic) =
+            draft.table.map_or_else(Default::default, |written| (written.open_sides(), written.periodic()));
+        let Vec2 { x, y } = table.bounds.max;
+        let round = |size: f64, is_periodic: bool| if is_periodic { size } else { f64::INFINITY };
+        Self { open, rounds: [round(x, periodic[0]), round(y, periodic[1])] }
+    }
+
+    /// The centre of a ball, and those of its images that lie within a width of the table.
+    fn images(&self, center: Vec2<f64>, width: f64) -> Vec<Vec2<f64>> {
+        let along = |place: f64, round: f64| {
+            let seen = [
+                Some(place),
+                (place < width).then_some(place + round),
+                (place > round - width).then_some(place - round),
+            ];
+            seen.into_iter().flatten().filter(|place| place.is_finite())
+        };
+        let [round_x, round_y] = self.rounds;
+        along(center.x, round_x)
+            .flat_map(|x| along(center.y, round_y).map(move |y| Vec2::new(x, y)))
+            .collect()
+    }
+}
+
 /// Notes balls outside the table or in an obstacle, and balls that overlap.
 pub(super) fn check_placement(draft: &Draft<'_>, table: &Table<f64>, findings: &mut Findings) {
     let discs = discs(draft, table, findings);
@@ -30,9 +63,10 @@ pub(super) fn check_placement(draft: &Draft<'_>, table: &Table<f64>, findings: &
         .iter()
         .map(|outline| (outline, outline.cushions.iter().map(|c| c.piece).collect()))
         .collect();
+    let sides = Sides::of(draft, table);
     for disc in &discs {
         for (outline, pieces) in &outlines {
-            if let Some(message) = intrusion(disc, outline, pieces, tolerance) {
+            if let Some(message) = intrusion(disc, outline, pieces, &sides, tolerance) {
                 findings.add(&disc.place, message);
             }
         }
@@ -40,7 +74,7 @@ pub(super) fn check_placement(draft: &Draft<'_>, table: &Table<f64>, findings: &
             findings.add(&disc.place, format!("ball {:?} lies over pocket {:?}", disc.id, pocket.id));
         }
     }
-    check_overlaps(&discs, tolerance, findings);
+    check_overlaps(&discs, &sides, tolerance, findings);
 }
 
 /// The balls whose place and radius are sound.
@@ -67,6 +101,7 @@ fn intrusion(
     disc: &Disc<'_>,
     outline: &Outline<f64>,
     pieces: &[Piece<f64>],
+    sides: &Sides,
     tolerance: ContactTolerance<f64>,
 ) -> Option<String> {
     let tolerance = tolerance.of(disc.radius);
@@ -77,7 +112,7 @@ fn intrusion(
         });
     }
     let mut cut = Vec::new();
-    for cushion in &outline.cushions {
+    for cushion in outline.cushions.iter().filter(|cushion| !sides.open.contains(&cushion.id.as_str())) {
         let depth = disc.reach - cushion.piece.foot(disc.center).distance;
         if depth > tolerance {
             cut.push(format!("cushion {:?} by {}", cushion.id, Rounded(depth)));
@@ -106,7 +141,12 @@ fn is_filled(piece: &Piece<f64>, radius: f64, tolerance: f64) -> bool {
 }
 
 /// Notes pairs of balls that overlap, sought among neighbours in a grid of cells as wide as the largest ball.
-fn check_overlaps(discs: &[Disc<'_>], tolerance: ContactTolerance<f64>, findings: &mut Findings) {
+fn check_overlaps(
+    discs: &[Disc<'_>],
+    sides: &Sides,
+    tolerance: ContactTolerance<f64>,
+    findings: &mut Findings,
+) {
     let largest = discs.iter().fold(0.0, |most, disc| if disc.radius > most { disc.radius } else { most });
     let width = 2.0 * largest;
     if width <= 0.0 {
@@ -117,8 +157,11 @@ fn check_overlaps(discs: &[Disc<'_>], tolerance: ContactTolerance<f64>, findings
     let mut found = 0;
     for disc in discs {
         let own = cell(disc.center);
-        for other in neighbours(own).iter().filter_map(|key| cells.get(key)).flatten() {
-            let Some(depth) = overlap(other, disc, tolerance) else { continue };
+        let images = sides.images(disc.center, width);
+        let near = |image: &Vec2<f64>| neighbours(cell(*image)).into_iter().filter_map(|key| cells.get(&key));
+        let pairs = images.iter().flat_map(|image| near(image).flatten().map(move |other| (*image, other)));
+        for (center, other) in pairs {
+            let Some(depth) = overlap(other, disc, center, tolerance) else { continue };
             let message = format!("ball {:?} overlaps ball {:?} by {}", disc.id, other.id, Rounded(depth));
             findings.add(&disc.place, message);
             found += 1;
@@ -137,10 +180,10 @@ fn neighbours([column, row]: [f64; 2]) -> BTreeSet<[i64; 2]> {
     around.map(|cell| cell.map(|number| number as i64)).collect()
 }
 
-/// How deep two balls overlap, where it is more than contact; two points never do.
-fn overlap(a: &Disc<'_>, b: &Disc<'_>, tolerance: ContactTolerance<f64>) -> Option<f64> {
+/// How deep two balls overlap, the second seen at a centre, where it is more than contact; two points never do.
+fn overlap(a: &Disc<'_>, b: &Disc<'_>, center: Vec2<f64>, tolerance: ContactTolerance<f64>) -> Option<f64> {
     let radii = a.radius + b.radius;
-    let apart = Vec3::above(a.center - b.center, a.height - b.height).norm();
+    let apart = Vec3::above(a.center - center, a.height - b.height).norm();
     let depth = radii - apart;
     (radii > 0.0 && depth > tolerance.of(radii)).then_some(depth)
 }

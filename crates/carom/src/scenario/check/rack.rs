@@ -9,7 +9,8 @@ pub(super) fn check_rack(draft: &Draft<'_>, findings: &mut Findings) {
         return;
     }
     if draft.rack.is_none() {
-        if draft.balls.is_empty() && findings.is_sound("balls") && findings.is_sound("scenario") {
+        let is_sound = ["balls", "gas", "scenario"].iter().all(|part| findings.is_sound(part));
+        if draft.balls.is_empty() && draft.gas.is_none() && is_sound {
             findings.add("balls", "missing: give at least one ball, or a rack");
         }
         return;

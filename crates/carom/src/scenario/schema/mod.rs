@@ -6,6 +6,7 @@
 mod balls;
 mod color;
 mod cue;
+mod gas;
 mod method;
 mod physics;
 mod preset;
@@ -16,6 +17,7 @@ mod vector;
 pub use balls::{Ball, BallDefaults};
 pub use color::{COLOR_NAMES, Color};
 pub use cue::{Cue, OffsetOf, Shot};
+pub use gas::{Gas, Masses, Mixture, Sizes, Species, Start};
 pub use method::{AfterHit, LastStep, Method, NormalTaken};
 pub use physics::{
     BallBall, BallCushion, Cluster, Collapse, CushionFriction, Flight, Physics, Rebound, SlipFriction,
@@ -61,10 +63,11 @@ pub struct Scenario {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 1, max = 9_223_372_036_854_775_807_u64))]
     pub max_events: Option<u64>,
-    /// What a run keeps; absent: all.
+    /// What a run keeps; absent: all, and of a gas none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub record: Option<Record>,
+    /// The region the balls move in; to be left out only where there is a gas, which has its own box.
     #[serde(default, skip_serializing_if = "is_default")]
-    pub record: Record,
-    /// The region the balls move in.
     pub table: Table,
     /// The laws of motion and of collision; absent: free flight and elastic collisions.
     #[serde(default, skip_serializing_if = "is_default")]
@@ -78,10 +81,13 @@ pub struct Scenario {
     /// Balls set up for a game; absent: none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rack: Option<Rack>,
-    /// The balls; at least one, unless there is a rack.
+    /// The balls; at least one, unless there is a rack or a gas.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(min = 1))]
     pub balls: Vec<Ball>,
+    /// A gas: so many discs in a box of their own, in place of a table and balls; absent: none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gas: Option<Gas>,
     /// The cue.
     #[serde(default, skip_serializing_if = "is_default")]
     pub cue: Cue,
@@ -119,6 +125,24 @@ pub struct Units {
     /// The unit of mass.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mass: Option<String>,
+}
+
+impl Scenario {
+    /// What a run of it keeps.
+    pub fn record(&self) -> Record {
+        self.record.unwrap_or(self.usual_record())
+    }
+
+    /// A gas has too many events to keep them unasked.
+    fn usual_record(&self) -> Record {
+        if self.gas.is_some() { Record::None } else { Record::All }
+    }
+
+    /// This scenario without a `record` that says what is so anyway.
+    pub(super) fn with_plain_record(self) -> Self {
+        let usual = self.usual_record();
+        Self { record: self.record.filter(|kept| *kept != usual), ..self }
+    }
 }
 
 fn first_format() -> u32 {

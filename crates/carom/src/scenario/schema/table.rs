@@ -5,9 +5,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The region the balls move in.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "shape", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Table {
+    /// What stands here while none is written: the box of the gas, where there is one.
+    #[default]
+    #[serde(skip)]
+    Absent,
     /// A rectangle with its lower left corner at the origin; cushions `left`, `right`, `bottom` and `top`.
     Rectangle {
         /// Size along x, between the noses of the cushions; positive.
@@ -115,11 +119,28 @@ pub enum Axis {
     Y,
 }
 
+impl Axis {
+    /// The word used in files, on the shell and in Python.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+        }
+    }
+}
+
 impl Table {
     /// Which axes are periodic.
     pub fn periodic(&self) -> [bool; 2] {
         let Table::Rectangle { periodic, .. } = self else { return [false; 2] };
         [Axis::X, Axis::Y].map(|axis| periodic.contains(&axis))
+    }
+
+    /// The cushions that a rectangle does not have, since its sides are open.
+    pub fn open_sides(&self) -> Vec<&'static str> {
+        let [x, y] = self.periodic();
+        let sides = [("left", x), ("right", x), ("bottom", y), ("top", y)];
+        sides.into_iter().filter(|(_, is_open)| *is_open).map(|(side, _)| side).collect()
     }
 
     /// What stands on the table.
@@ -130,6 +151,7 @@ impl Table {
             | Table::Path { obstacles, .. }
             | Table::PocketTable { obstacles, .. }
             | Table::Preset(PresetTable { obstacles, .. }) => obstacles,
+            Table::Absent => &[],
         }
     }
 
@@ -139,7 +161,7 @@ impl Table {
             Table::Rectangle { pockets, .. }
             | Table::Circle { pockets, .. }
             | Table::Path { pockets, .. } => pockets,
-            Table::PocketTable { .. } | Table::Preset(_) => &[],
+            Table::PocketTable { .. } | Table::Preset(_) | Table::Absent => &[],
         }
     }
 
@@ -151,6 +173,7 @@ impl Table {
             | Table::Path { nose_height, .. }
             | Table::PocketTable { nose_height, .. }
             | Table::Preset(PresetTable { nose_height, .. }) => *nose_height,
+            Table::Absent => None,
         }
     }
 
@@ -162,6 +185,7 @@ impl Table {
             | Table::Path { nose_contact, .. }
             | Table::PocketTable { nose_contact, .. }
             | Table::Preset(PresetTable { nose_contact, .. }) => *nose_contact,
+            Table::Absent => None,
         }
     }
 

@@ -45,7 +45,9 @@ impl Room {
             }
             Table::Circle { radius, .. } => room.edges.push(Edge::circle([0.0; 2], *radius)),
             Table::Path { pieces, .. } => room.edges.extend(pieces.iter().map(Edge::of)),
-            Table::PocketTable { .. } | Table::Preset(_) => panic!("discs have no such table"),
+            Table::PocketTable { .. } | Table::Preset(_) | Table::Absent => {
+                panic!("discs have no such table")
+            }
         }
         (room.min, room.max) = bounds(&room.edges);
         for obstacle in scenario.table.obstacles() {
