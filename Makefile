@@ -13,7 +13,7 @@ SCENARIOS := $(wildcard scenarios/*)
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .PHONY: help build run check-engine test test-rust test-python lint lint-rust lint-python format docs licences
-.PHONY: pictures third-party bench bench-pooltool campaign digests wheel wheel-check floors clean
+.PHONY: pictures third-party bench bench-gas bench-pooltool campaign digests wheel wheel-check floors clean
 
 help: ## List these commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -88,6 +88,10 @@ bench: build ## Measure the engine, the package, and python-billiards beside it
 	$(CARGO) bench --locked -p carom
 	$(BIN)/python -m pip install --quiet --group bench
 	$(BIN)/python benches/python.py
+
+bench-gas: ## Measure gases of a thousand to a million discs, or one: make bench-gas GAS="0.5 10000 5e6"
+	@$(need_rust)
+	$(CARGO) run --locked --release -p carom --example gas -- $(GAS)
 
 bench-pooltool: build $(POOLTOOL)/.built ## Play the same shots with pooltool 0.6.0, in a virtual environment of its own
 	$(BIN)/python benches/pooltool/compare.py

@@ -1,6 +1,7 @@
 //! How fast a gas of equal discs in a periodic box runs, and how well it keeps what it has to keep.
 //!
-//! `gas [packing fraction] [discs] [collisions]` prints one line; without numbers the whole table.
+//! `gas [packing fraction] [discs] [collisions]` prints one line; without numbers the whole table. The rate is the median of
+//! five stretches, in millions of collisions a second; predictions are those per collision.
 
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
@@ -45,7 +46,6 @@ fn measure(packing_fraction: f64, count: usize, collisions: u64) {
     let limits = Limits { duration: None, collisions: None, max_events: u64::MAX, until: None };
     let mut simulation: Simulation<f64> = Simulation::new(system, limits, &mut Nothing);
     let melting = (30 * count as u64).min(4_000_000);
-    println!("{} {}", simulation.system().faces.is_room, simulation.system().faces.is_open);
     let mut steps = |count: u64| {
         let begin = Instant::now();
         let mut left = count;
