@@ -85,6 +85,7 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
         "carom compare midterm_stepped --with mine.csv --columns t,xr,yr,xb,yb",
     ],
     gas: [
+        "carom gas --n 1000 --packing-fraction 0.5 --collisions 1e5 --observe pressure,speeds",
         "carom gas fifty_random --equilibrate 20 --observe pressure,speeds",
     ],
     check: ["carom check my.toml"],
