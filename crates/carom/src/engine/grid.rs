@@ -322,27 +322,16 @@ impl<S: Scalar> Grid<S> {
         }
     }
 
-    /// Whether no cell has more than four places.
+    /// Hands over the places of each of some cells that all lie inside the table, and how many balls are in them.
     #[inline(always)]
-    pub fn is_roomy(&self) -> bool {
-        self.places == FEW
-    }
-
-    /// Hands over the four places of each of some cells that all lie inside the table, where no cell has more: and how many
-    /// balls are in them.
-    #[inline(always)]
-    pub fn each_row(&self, window: &Window, mut meet: impl FnMut(&[u32; FEW], usize)) {
-        let (fours, _) = self.balls.as_chunks::<FEW>();
+    pub fn each_cell(&self, window: &Window, mut meet: impl FnMut(&[u32], usize)) {
         let (first, columns) = (window.columns.cells[0].0, window.columns.count);
         for &(row, _) in &window.rows.cells[..window.rows.count] {
             let at = row * self.count[0] + first;
-            let (Some(fours), Some(filled)) =
-                (fours.get(at..at + columns), self.filled.get(at..at + columns))
-            else {
-                continue;
-            };
-            for (four, &count) in fours.iter().zip(filled) {
-                meet(four, count as usize);
+            let places = self.balls.get(at * self.places..(at + columns) * self.places);
+            let (Some(places), Some(filled)) = (places, self.filled.get(at..at + columns)) else { continue };
+            for (cell, &count) in places.chunks_exact(self.places).zip(filled) {
+                meet(cell, count as usize);
             }
         }
     }

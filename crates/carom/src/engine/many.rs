@@ -162,13 +162,19 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     fn ask_inside(&self, window: &Window, own: &Ball<S>, touch: Touch, nearest: &mut Nearest<S>) -> Answer {
         let Some(Many { grid, .. }) = &self.many else { return Answer::Known };
-        let mut candidates = Candidates::none();
-        // Nine cells of four places have room.
-        if grid.is_roomy() {
-            grid.each_row(window, |four, count| candidates.add_of_four(four, count));
+        let (mut candidates, mut has_room) = (Candidates::none(), true);
+        grid.each_cell(window, |places, count| has_room &= candidates.add_cell(places, count));
+        if has_room {
             return self.ask(own, touch, &mut candidates, None, nearest);
         }
-        let mut answer = Answer::Known;
+        self.ask_in_parts(window, own, touch, nearest)
+    }
+
+    /// The same where they are too many to be asked at once.
+    #[cold]
+    fn ask_in_parts(&self, window: &Window, own: &Ball<S>, touch: Touch, nearest: &mut Nearest<S>) -> Answer {
+        let Some(Many { grid, .. }) = &self.many else { return Answer::Known };
+        let (mut candidates, mut answer) = (Candidates::none(), Answer::Known);
         grid.each_four(window, |four, count, _| {
             if !candidates.has_room_for(4) {
                 answer = answer.and(self.ask(own, touch, &mut candidates, None, nearest));

@@ -100,6 +100,25 @@ impl Candidates {
         }
     }
 
+    /// Takes the first `count` of a cell's places, of which there are four or a multiple of it; says whether there was room.
+    #[inline(always)]
+    pub fn add_cell(&mut self, places: &[u32], count: usize) -> bool {
+        let (fours, _) = places.as_chunks::<4>();
+        let Some((first, others)) = fours.split_first() else { return true };
+        let has_room = self.has_room_for(4);
+        self.add_of_four(first, count);
+        if count <= 4 { has_room } else { has_room && self.add_others(others, count - 4) }
+    }
+
+    #[cold]
+    fn add_others(&mut self, fours: &[[u32; 4]], count: usize) -> bool {
+        let has_room = self.has_room_for(count + 4);
+        for (four, from) in fours.iter().zip((0..count).step_by(4)) {
+            self.add_of_four(four, count - from);
+        }
+        has_room
+    }
+
     /// The balls.
     #[inline(always)]
     pub fn numbers(&self) -> &[u32] {
