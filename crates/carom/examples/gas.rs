@@ -6,10 +6,6 @@
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
 use carom::engine::{Limits, Simulation};
-use carom::flight::Flight;
-use carom::gas::{Arrangement, Recipe, make};
-use carom::geometry::Vec2;
-use carom::model::Disc;
 use carom::run::Nothing;
 use carom::scenario::{Scenario, System};
 use std::sync::Arc;
@@ -17,27 +13,10 @@ use std::time::Instant;
 
 /// A gas on a hexagonal lattice with Maxwell's velocities.
 fn gas(packing_fraction: f64, count: usize) -> System<f64> {
-    let recipe = Recipe { start: Arrangement::Hexagonal, ..Recipe::new(count, packing_fraction) };
-    let start = make(&recipe).unwrap();
-    let [width, length] = start.size;
     let text = format!(
-        "collisions = 1\n[table]\nshape = 'rectangle'\nwidth = {width:?}\nlength = {length:?}\nperiodic = ['x', 'y']\n\
-         [[balls]]\nid = '0'\nradius = 0.5\nposition = [1, 1]"
+        "collisions = 1\n[gas]\nn = {count}\npacking_fraction = {packing_fraction}\nstart = 'hexagonal'"
     );
-    let system = System::new(&Scenario::from_toml(&text).unwrap());
-    let flight = |(&position, &velocity)| Flight { start: 0.0, position, velocity, acceleration: Vec2::ZERO };
-    System {
-        discs: start
-            .radii
-            .iter()
-            .zip(&start.masses)
-            .map(|(&radius, &mass)| Disc::new(radius, mass))
-            .collect(),
-        flights: start.positions.iter().zip(&start.velocities).map(flight).collect(),
-        collapse_times: vec![1e-7; count],
-        ball_ids: Vec::new(),
-        ..system
-    }
+    System::new(&Scenario::from_toml(&text).unwrap())
 }
 
 /// Runs a gas until its lattice is gone and then measures; prints a line.
@@ -70,15 +49,20 @@ fn measure(packing_fraction: f64, count: usize, collisions: u64) {
 }
 
 fn main() {
-    let arguments: Vec<f64> = std::env::args().skip(1).filter_map(|argument| argument.parse().ok()).collect();
+    // The first argument is the program itself.
+    let arguments: Result<Vec<f64>, _> = std::env::args().skip(1).map(|argument| argument.parse()).collect();
     println!("packing    discs million/s   overlap     drift  predictions");
-    if let [packing_fraction, count, collisions] = arguments[..] {
-        measure(packing_fraction, count as usize, collisions as u64);
-        return;
-    }
-    for packing_fraction in [0.2, 0.5, 0.7] {
-        for count in [1_000, 10_000, 100_000, 1_000_000] {
-            measure(packing_fraction, count, 10_000_000);
+    match arguments.as_deref() {
+        Ok([]) => {
+            for packing_fraction in [0.2, 0.5, 0.7] {
+                for count in [1_000, 10_000, 100_000, 1_000_000] {
+                    measure(packing_fraction, count, 10_000_000);
+                }
+            }
         }
+        Ok(&[packing_fraction, count, collisions]) => {
+            measure(packing_fraction, count as usize, collisions as u64);
+        }
+        _ => println!("give nothing, or three numbers: packing fraction, discs, collisions"),
     }
 }

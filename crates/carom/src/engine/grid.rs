@@ -14,7 +14,7 @@ use crate::scalar::Scalar;
 const FEWEST_CELLS: f64 = 25.0;
 
 /// Fewer cells than these along a periodic axis would lie on both sides of a ball.
-pub const FEWEST_ROUND: f64 = 3.0;
+const FEWEST_ROUND: f64 = 3.0;
 
 /// As many cells as one number of a ball's line can tell.
 const MOST_CELLS: f64 = 65_535.0;

@@ -1,6 +1,7 @@
 //! Names and options of what is to be observed, as they are written in a file or given from Python.
 
 use super::error::ObserveError;
+use crate::scenario::suggestion;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -66,18 +67,7 @@ impl Options for NoOptions {
     }
 }
 
-/// How alike two words must be, from 0 (nothing in common) to 1 (the same), for one to be meant by the other.
-const ALIKE: f64 = 0.5;
-
 /// "; did you mean this?" where a near word is known, and all known ones.
 pub(super) fn hint(word: &str, known: &[&str]) -> String {
-    let likeness = |candidate: &str| strsim::normalized_damerau_levenshtein(word, candidate);
-    let nearest = known.iter().map(|candidate| (likeness(candidate), *candidate));
-    let nearest = nearest.fold((ALIKE, ""), |best, this| if this.0 > best.0 { this } else { best }).1;
-    let meant = if nearest.is_empty() { String::new() } else { format!("; did you mean {nearest}?") };
-    match (known.is_empty(), meant.is_empty()) {
-        (true, _) => "; it has none".to_owned(),
-        (_, true) => format!("; known: {}", known.join(", ")),
-        (_, false) => format!("{meant} known: {}", known.join(", ")),
-    }
+    if known.is_empty() { "; it has none".to_owned() } else { suggestion(word, known) }
 }

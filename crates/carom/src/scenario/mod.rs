@@ -26,6 +26,7 @@ pub use cloth_system::{ClothSystem, NoseReach, Stroke};
 pub use equipment::Equipment;
 pub use json_schema::json_schema;
 pub use layout::Number;
+pub(crate) use nearest::suggestion;
 pub use path::Key;
 pub use problem::{Problem, ScenarioError};
 pub use schema::Scenario;
