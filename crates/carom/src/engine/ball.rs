@@ -57,4 +57,12 @@ impl<S: Scalar> Ball<S> {
         let Self { start, position, velocity, .. } = *self;
         Flight { start, position, velocity, acceleration: Vec2::ZERO }
     }
+
+    /// How often the table lies between where another ball's flight says that it is, and where this one sees it, in a cell that
+    /// is `round` times round.
+    #[inline(always)]
+    pub(super) fn rounds_to(&self, other: &Self, round: [i16; 2]) -> [i32; 2] {
+        let [own, their, round] = [self.rounds, other.rounds, round].map(|rounds| rounds.map(i32::from));
+        [round[0] + own[0] - their[0], round[1] + own[1] - their[1]]
+    }
 }

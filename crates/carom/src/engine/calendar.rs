@@ -10,20 +10,17 @@ use super::queue::{Pending, Target};
 use super::simd::fetch;
 use crate::scalar::Scalar;
 
-/// Lines in a bin, when the calendar is laid out.
-const LINES: f64 = 48.0;
+/// Lines in a bin are one to so many balls, where the calendar is laid out: many for many, whose bins would have too many ends.
+const BALLS_PER_LINE: f64 = 200.0;
 
-/// Lines in a bin for a great many balls, whose bins would have too many ends.
-const LINES_OF_MANY: f64 = 1024.0;
-
-/// So many balls are a great many.
-pub const A_GREAT_MANY: usize = 400_000;
+/// Lines in a bin, fewest and most.
+const LINES: [f64; 2] = [16.0, 4096.0];
 
 /// The calendar reaches over so many times the time in which a quarter of the balls has an event.
-const REACH: f64 = 32.0;
+const REACH: f64 = 8.0;
 
 /// A round of the calendar whose bins held so many times too few or too many lines lays it out anew.
-const TOLERANCE: f64 = 4.0;
+const TOLERANCE: f64 = 1.5;
 
 /// What a ball is about to do.
 #[derive(Clone, Copy, Debug)]
@@ -106,7 +103,7 @@ impl<S: Scalar> Calendar<S> {
             next: 0,
             later: Vec::new(),
             lines: 0,
-            lines_per_bin: if balls >= A_GREAT_MANY { LINES_OF_MANY } else { LINES },
+            lines_per_bin: (balls as f64 / BALLS_PER_LINE).clamp(LINES[0], LINES[1]),
         }
     }
 

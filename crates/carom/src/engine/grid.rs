@@ -6,7 +6,7 @@
 //! gone round the table once more.
 
 use super::ball::Ball;
-use super::simd::fetch;
+use super::simd::{Candidates, fetch};
 use crate::geometry::{Bounds, Vec2};
 use crate::scalar::Scalar;
 
@@ -25,8 +25,9 @@ const SLACK: f64 = 1e-6;
 /// Places in a cell for a start; a full cell makes all of them twice as large.
 const FEW: usize = 4;
 
-/// Beyond this many rounds a flight begins anew at the side of the table: they are counted in few bits.
-pub const MOST_ROUNDS: i16 = 1 << 14;
+/// Beyond this many rounds a flight begins anew at the side of the table: they are counted in few bits, and so are the
+/// differences of two.
+pub const MOST_ROUNDS: i16 = 1 << 13;
 
 /// A side of a cell, through which a ball leaves it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +50,8 @@ pub struct Grid<S> {
     extent: Vec2<S>,
     /// Of a cell.
     size: Vec2<S>,
+    /// Where cells end, from the lower end of each axis on; infinitely far where the table does and nobody goes round.
+    edges: [Vec<S>; 2],
     /// Columns and rows.
     count: [usize; 2],
     periodic: [bool; 2],
@@ -57,23 +60,35 @@ pub struct Grid<S> {
     /// The balls of each cell, row by row, `places` for each.
     balls: Vec<u32>,
     /// How many are in each.
-    filled: Vec<u32>,
+    filled: Vec<u16>,
 }
 
 /// Some columns, or rows, that lie beside each other, each with how often one has gone round the table to be there.
 #[derive(Clone, Copy, Debug)]
-struct Strip {
-    cells: [(usize, i32); 3],
+pub struct Strip {
+    cells: [(usize, i16); 3],
     count: usize,
 }
 
 /// Cells that lie together.
 #[derive(Clone, Copy, Debug)]
-pub struct Window {
-    columns: Strip,
-    rows: Strip,
-    /// Whether none of them is on the other side of the table, and none is missing.
-    pub is_inside: bool,
+pub enum Window {
+    /// So many columns and rows from a cell on, none of them beyond a side of the table.
+    Inside {
+        /// The first cell.
+        first: usize,
+        /// Columns.
+        columns: usize,
+        /// Rows.
+        rows: usize,
+    },
+    /// Some are on the other side of the table, or missing.
+    Round {
+        /// Columns.
+        columns: Strip,
+        /// Rows.
+        rows: Strip,
+    },
 }
 
 impl Side {
@@ -111,7 +126,9 @@ impl<S: Scalar> Grid<S> {
         let count = [columns as usize, rows as usize];
         let cells = count[0] * count[1];
         let (balls, filled) = (vec![0; cells * FEW], vec![0; cells]);
-        Some(Self { lower: bounds.min, extent, size, count, periodic, places: FEW, balls, filled })
+        let along = [(size.x, extent.x), (size.y, extent.y)];
+        let edges = [0, 1].map(|axis| edges(along[axis], count[axis], periodic[axis]));
+        Some(Self { lower: bounds.min, extent, size, edges, count, periodic, places: FEW, balls, filled })
     }
 
     /// Takes all balls out.
@@ -211,7 +228,7 @@ impl<S: Scalar> Grid<S> {
         let there = &mut self.balls[at..=at + last];
         if let Some(place) = there.iter().position(|&number| number == ball.number) {
             there[place] = there[last];
-            self.filled[cell] = last as u32;
+            self.filled[cell] = last as u16;
         }
     }
 
@@ -237,101 +254,127 @@ impl<S: Scalar> Grid<S> {
     }
 
     /// When a coordinate leaves its cell; never through the outer sides of an axis that is not periodic.
-    ///
-    /// Where the table ends, its own length counts, so that this does not depend on the cells.
     #[inline(always)]
     fn leaves(&self, ball: &Ball<S>, axis: usize, velocity: S) -> S {
-        let (size, extent, place) = if axis == 0 {
-            (self.size.x, self.extent.x, ball.position.x - self.lower.x)
+        let (extent, place) = if axis == 0 {
+            (self.extent.x, ball.position.x - self.lower.x)
         } else {
-            (self.size.y, self.extent.y, ball.position.y - self.lower.y)
+            (self.extent.y, ball.position.y - self.lower.y)
         };
-        let edge = u32::from(ball.cell[axis]) + u32::from(velocity > S::ZERO);
-        let is_end = edge as usize == self.count[axis];
-        let is_closed = !self.periodic[axis] && (edge == 0 || is_end);
-        if velocity == S::ZERO || is_closed {
+        let edge = self.edges[axis][ball.cell[axis] as usize + usize::from(velocity > S::ZERO)];
+        if velocity == S::ZERO || edge.abs() == S::INFINITY {
             return S::INFINITY;
         }
-        let whole = f64::from(ball.rounds[axis]) + f64::from(u8::from(is_end));
-        let part = if is_end { S::ZERO } else { size * S::from_f64(f64::from(edge)) };
-        (part + extent * S::from_f64(whole) - place) / velocity
+        (edge + extent * S::from_f64(f64::from(ball.rounds[axis])) - place) / velocity
     }
 
     /// The nine cells around a ball's.
     #[inline(always)]
-    pub fn around(&self, [column, row]: [u16; 2]) -> Window {
-        let [columns, rows] = self.count;
-        let (column, row) = (column as usize, row as usize);
-        if column > 0 && column + 1 < columns && row > 0 && row + 1 < rows {
-            return Window::inside(column - 1, 3, row - 1, 3);
+    pub fn around(&self, cell: [u16; 2]) -> Window {
+        if self.is_inside(cell) {
+            return Window::Inside { first: self.cell(cell) - self.count[0] - 1, columns: 3, rows: 3 };
         }
-        self.window([column as i32 - 1, column as i32 + 1], [row as i32 - 1, row as i32 + 1])
+        self.window(cell.map(|index| [i32::from(index) - 1, i32::from(index) + 1]))
     }
 
     /// The three cells that have come near since a ball came into its cell on the opposite side.
     #[inline(always)]
     pub fn ahead(&self, cell: [u16; 2], side: Side) -> Window {
         let (axis, is_up) = side.axis();
-        let (column, row) = (cell[0] as usize, cell[1] as usize);
-        let [columns, rows] = self.count;
-        if column > 0 && column + 1 < columns && row > 0 && row + 1 < rows {
-            return match side {
-                Side::Left => Window::inside(column - 1, 1, row - 1, 3),
-                Side::Right => Window::inside(column + 1, 1, row - 1, 3),
-                Side::Below => Window::inside(column - 1, 3, row - 1, 1),
-                Side::Above => Window::inside(column - 1, 3, row + 1, 1),
+        if self.is_inside(cell) {
+            let (middle, row) = (self.cell(cell), self.count[0]);
+            let (first, columns, rows) = match side {
+                Side::Left => (middle - row - 1, 1, 3),
+                Side::Right => (middle - row + 1, 1, 3),
+                Side::Below => (middle - row - 1, 3, 1),
+                Side::Above => (middle + row - 1, 3, 1),
             };
+            return Window::Inside { first, columns, rows };
         }
         let mut ranges = cell.map(|index| [i32::from(index) - 1, i32::from(index) + 1]);
         ranges[axis] = if is_up { [ranges[axis][1]; 2] } else { [ranges[axis][0]; 2] };
-        self.window(ranges[0], ranges[1])
+        self.window(ranges)
     }
 
-    fn window(&self, columns: [i32; 2], rows: [i32; 2]) -> Window {
-        let [across, along] = [(0, columns), (1, rows)].map(|(axis, [from, to])| {
-            let count = self.count[axis] as i32;
+    /// Whether all cells around a cell are inside the table.
+    #[inline(always)]
+    fn is_inside(&self, [column, row]: [u16; 2]) -> bool {
+        let is_between =
+            |index: u16, count: usize| (index as usize).wrapping_sub(1) < count.saturating_sub(2);
+        is_between(column, self.count[0]) && is_between(row, self.count[1])
+    }
+
+    #[inline(never)]
+    fn window(&self, ranges: [[i32; 2]; 2]) -> Window {
+        let [columns, rows] = [0, 1].map(|axis| {
+            let ([from, to], count) = (ranges[axis], self.count[axis] as i32);
             let mut strip = Strip { cells: [(0, 0); 3], count: 0 };
             for index in from..=to {
                 let round = i32::from(index >= count) - i32::from(index < 0);
                 if round == 0 || self.periodic[axis] {
-                    strip.cells[strip.count] = ((index - round * count) as usize, round);
+                    strip.cells[strip.count] = ((index - round * count) as usize, round as i16);
                     strip.count += 1;
                 }
             }
             strip
         });
-        let fits = |[from, to]: [i32; 2], axis: usize| from >= 0 && to < self.count[axis] as i32;
-        Window { columns: across, rows: along, is_inside: fits(columns, 0) && fits(rows, 1) }
+        Window::Round { columns, rows }
     }
 
-    /// Hands over the balls of some cells by four places: how many balls from the first of them on the cell has, and how often
-    /// one has gone round to be there.
+    /// Lists the balls of some cells; `false` where they are not all listed, as there are too many.
     #[inline(always)]
-    pub fn each_four(&self, window: &Window, mut meet: impl FnMut(&[u32; FEW], usize, [i32; 2])) {
-        for &(row, round_y) in &window.rows.cells[..window.rows.count] {
-            for &(column, round_x) in &window.columns.cells[..window.columns.count] {
-                let cell = row * self.count[0] + column;
-                let (at, filled) = (cell * self.places, self.filled[cell] as usize);
-                let (fours, _) = self.balls[at..at + self.places].as_chunks::<FEW>();
-                for (place, four) in fours.iter().enumerate() {
-                    if place * FEW < filled {
-                        meet(four, filled - place * FEW, [round_x, round_y]);
+    pub fn list(&self, window: &Window, candidates: &mut Candidates) -> bool {
+        match *window {
+            Window::Inside { first, columns: 3, rows: 3 } => self.list_inside::<3, 3>(first, candidates),
+            Window::Inside { first, columns: 3, .. } => self.list_inside::<3, 1>(first, candidates),
+            Window::Inside { first, .. } => self.list_inside::<1, 3>(first, candidates),
+            Window::Round { columns, rows } => {
+                let mut has_room = true;
+                for &(row, round_y) in &rows.cells[..rows.count] {
+                    for &(column, round_x) in &columns.cells[..columns.count] {
+                        let cell = row * self.count[0] + column;
+                        let places = &self.balls[cell * self.places..(cell + 1) * self.places];
+                        has_room &= candidates.add_cell(places, self.filled[cell], [round_x, round_y]);
                     }
                 }
+                has_room
             }
         }
     }
 
-    /// Hands over the places of each of some cells that all lie inside the table, and how many balls are in them.
     #[inline(always)]
-    pub fn each_cell(&self, window: &Window, mut meet: impl FnMut(&[u32], usize)) {
-        let (first, columns) = (window.columns.cells[0].0, window.columns.count);
-        for &(row, _) in &window.rows.cells[..window.rows.count] {
-            let at = row * self.count[0] + first;
-            let places = self.balls.get(at * self.places..(at + columns) * self.places);
-            let (Some(places), Some(filled)) = (places, self.filled.get(at..at + columns)) else { continue };
-            for (cell, &count) in places.chunks_exact(self.places).zip(filled) {
-                meet(cell, count as usize);
+    fn list_inside<const COLUMNS: usize, const ROWS: usize>(
+        &self,
+        first: usize,
+        candidates: &mut Candidates,
+    ) -> bool {
+        candidates.add_cells::<COLUMNS, ROWS>((&self.balls, self.places), &self.filled, first, self.count[0])
+    }
+
+    /// Hands over the balls of some cells by four places: how many balls from the first of them on the cell has, and how often
+    /// one has gone round to be there.
+    pub fn each_four(&self, window: &Window, mut meet: impl FnMut(&[u32; FEW], usize, [i16; 2])) {
+        let mut meet_cell = |cell: usize, round| {
+            let (at, filled) = (cell * self.places, self.filled[cell] as usize);
+            let (fours, _) = self.balls[at..at + self.places].as_chunks::<FEW>();
+            for (place, four) in fours.iter().enumerate() {
+                if place * FEW < filled {
+                    meet(four, filled - place * FEW, round);
+                }
+            }
+        };
+        match window {
+            Window::Inside { first, columns, rows } => {
+                for row in 0..*rows {
+                    (0..*columns).for_each(|column| meet_cell(first + row * self.count[0] + column, [0; 2]));
+                }
+            }
+            Window::Round { columns, rows } => {
+                for &(row, round_y) in &rows.cells[..rows.count] {
+                    for &(column, round_x) in &columns.cells[..columns.count] {
+                        meet_cell(row * self.count[0] + column, [round_x, round_y]);
+                    }
+                }
             }
         }
     }
@@ -342,7 +385,7 @@ impl<S: Scalar> Grid<S> {
         for row in self.rows_around(cell) {
             fetch(&self.filled, row);
             fetch(&self.balls, row.wrapping_sub(1).wrapping_mul(self.places));
-            fetch(&self.balls, (row + 1) * self.places);
+            fetch(&self.balls, row.wrapping_add(1).wrapping_mul(self.places));
         }
     }
 
@@ -368,10 +411,11 @@ impl<S: Scalar> Grid<S> {
     }
 }
 
-impl Window {
-    #[inline(always)]
-    fn inside(column: usize, columns: usize, row: usize, rows: usize) -> Self {
-        let strip = |from: usize, count| Strip { cells: [(from, 0), (from + 1, 0), (from + 2, 0)], count };
-        Self { columns: strip(column, columns), rows: strip(row, rows), is_inside: true }
-    }
+/// Where the cells of an axis end, from its lower end on.
+fn edges<S: Scalar>((size, extent): (S, S), count: usize, is_periodic: bool) -> Vec<S> {
+    let mut edges: Vec<S> = (0..=count).map(|edge| size * S::from_f64(edge as f64)).collect();
+    // Where the table ends, its own length counts, so that this does not depend on the cells.
+    edges[count] = if is_periodic { extent } else { S::INFINITY };
+    edges[0] = if is_periodic { S::ZERO } else { -S::INFINITY };
+    edges
 }

@@ -1,18 +1,18 @@
 //! Many balls: who is near whom, what comes first, and what a ball meets among those near.
 
 use super::ball::Ball;
-use super::calendar::{A_GREAT_MANY, Calendar};
+use super::calendar::Calendar;
 use super::discs::Discs;
 use super::grid::{Grid, MOST_ROUNDS, Side, Window};
 use super::queue::{Pending, Target};
-use super::simd::{Answer, Candidates, Nearest, Shifts, Touch, fetch, first_meeting};
+use super::simd::{Candidates, Nearest, Touch, fetch, first_meeting};
 use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;
 use crate::scenario::System;
 
 /// From so many balls on they do not fit into fast memory: what is needed next is fetched before.
-const FETCHED_FROM: usize = A_GREAT_MANY / 40;
+const FETCHED_FROM: usize = 10_000;
 
 /// What there is for many balls.
 #[derive(Clone, Debug)]
@@ -136,17 +136,16 @@ impl<S: Scalar> Discs<S> {
         touch: Touch,
         next: Pending<S>,
     ) -> Option<Pending<S>> {
+        let grid = &self.many.as_ref()?.grid;
         let known = if let Target::Ball(other, _) = next.target { i64::from(other) } else { -1 };
-        let before = Nearest { time: next.time, offset: next.offset, other: known };
-        let mut nearest = before;
-        let is_simple = window.is_inside && own.rounds == [0; 2];
-        let mut answer =
-            if is_simple { self.ask_inside(window, own, touch, &mut nearest) } else { Answer::GoneRound };
-        if answer == Answer::GoneRound {
-            nearest = before;
-            answer = self.ask_round(window, own, touch, &mut nearest);
-        }
-        if answer != Answer::Known {
+        let mut nearest = Nearest { time: next.time, offset: next.offset, other: known };
+        let mut candidates = Candidates::none(matches!(window, Window::Round { .. }));
+        let is_clear = if grid.list(window, &mut candidates) {
+            self.ask(own, touch, &mut candidates, &mut nearest)
+        } else {
+            self.ask_in_parts(window, own, touch, &mut nearest)
+        };
+        if !is_clear {
             return None;
         }
         let Nearest { time, offset, other } = nearest;
@@ -158,52 +157,18 @@ impl<S: Scalar> Discs<S> {
         Some(Pending { time, offset, target })
     }
 
-    /// Asks the balls of cells that all lie inside the table, where nobody has gone round.
-    #[inline(always)]
-    fn ask_inside(&self, window: &Window, own: &Ball<S>, touch: Touch, nearest: &mut Nearest<S>) -> Answer {
-        let Some(Many { grid, .. }) = &self.many else { return Answer::Known };
-        let (mut candidates, mut has_room) = (Candidates::none(), true);
-        grid.each_cell(window, |places, count| has_room &= candidates.add_cell(places, count));
-        if has_room {
-            return self.ask(own, touch, &mut candidates, None, nearest);
-        }
-        self.ask_in_parts(window, own, touch, nearest)
-    }
-
-    /// The same where they are too many to be asked at once.
+    /// Asks the balls of some cells where they are too many to be listed at once.
     #[cold]
-    fn ask_in_parts(&self, window: &Window, own: &Ball<S>, touch: Touch, nearest: &mut Nearest<S>) -> Answer {
-        let Some(Many { grid, .. }) = &self.many else { return Answer::Known };
-        let (mut candidates, mut answer) = (Candidates::none(), Answer::Known);
-        grid.each_four(window, |four, count, _| {
-            if !candidates.has_room_for(4) {
-                answer = answer.and(self.ask(own, touch, &mut candidates, None, nearest));
-                candidates = Candidates::none();
-            }
-            candidates.add_of_four(four, count);
-        });
-        answer.and(self.ask(own, touch, &mut candidates, None, nearest))
-    }
-
-    /// The same across the sides of a periodic table, each ball where it is seen.
     #[inline(never)]
-    fn ask_round(&self, window: &Window, own: &Ball<S>, touch: Touch, nearest: &mut Nearest<S>) -> Answer {
-        let Some(Many { grid, .. }) = &self.many else { return Answer::Known };
-        let (mut candidates, mut answer) = (Candidates::none(), Answer::Known);
-        let mut shifts = Shifts::none();
+    fn ask_in_parts(&self, window: &Window, own: &Ball<S>, touch: Touch, nearest: &mut Nearest<S>) -> bool {
+        let Some(Many { grid, .. }) = &self.many else { return true };
+        let mut is_clear = true;
         grid.each_four(window, |four, count, round| {
-            if !candidates.has_room_for(4) {
-                answer = answer.and(self.ask(own, touch, &mut candidates, Some(&shifts), nearest));
-                candidates = Candidates::none();
-            }
-            let mut seen = [Vec2::ZERO; 4];
-            for (shift, &number) in seen.iter_mut().zip(&four[..count.min(4)]) {
-                *shift = self.system.shift(self.rounds_between(own, number, round));
-            }
-            shifts.set_four(candidates.count(), seen);
-            candidates.add_of_four(four, count);
+            let mut candidates = Candidates::none(true);
+            candidates.add_cell(four, count.min(4) as u16, round);
+            is_clear &= self.ask(own, touch, &mut candidates, nearest);
         });
-        answer.and(self.ask(own, touch, &mut candidates, Some(&shifts), nearest))
+        is_clear
     }
 
     #[inline(always)]
@@ -212,19 +177,17 @@ impl<S: Scalar> Discs<S> {
         own: &Ball<S>,
         touch: Touch,
         candidates: &mut Candidates,
-        shifts: Option<&Shifts<S>>,
         nearest: &mut Nearest<S>,
-    ) -> Answer {
-        first_meeting(&self.balls, own, touch, candidates, shifts, &self.system.tolerance, nearest)
+    ) -> bool {
+        let period = self.system.is_periodic().then(|| self.system.extent());
+        first_meeting(&self.balls, own, touch, candidates, period, &self.system.tolerance, nearest)
     }
 
     /// How often the table lies between where another ball's flight says that it is, and where a ball sees it in a cell that
     /// is `round` times round.
     #[inline(always)]
-    pub(super) fn rounds_between(&self, own: &Ball<S>, other: u32, round: [i32; 2]) -> [i32; 2] {
-        let their = self.balls[other as usize].rounds;
-        let along = |axis: usize| round[axis] + i32::from(own.rounds[axis]) - i32::from(their[axis]);
-        [along(0), along(1)]
+    pub(super) fn rounds_between(&self, own: &Ball<S>, other: u32, round: [i16; 2]) -> [i32; 2] {
+        own.rounds_to(&self.balls[other as usize], round)
     }
 
     /// Hands over the balls near a ball, itself too, each with the shift by which it is seen elsewhere, if any.
@@ -247,19 +210,32 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     fn fetch_ahead(&self) {
         let Some(Many { grid, calendar, .. }) = &self.many else { return };
-        if let Some(ball) = calendar.coming(6) {
-            calendar.fetch(ball);
-            fetch(&self.balls, ball);
+        if let Some(ball) = calendar.coming(9) {
+            self.fetch_ball(ball);
         }
-        if let Some(ball) = calendar.coming(4) {
-            if let Target::Ball(other, _) = calendar.awaited(ball).meeting.target {
-                fetch(&self.balls, other as usize);
-                calendar.fetch(other as usize);
-            }
+        let partner = |ball| match calendar.awaited(ball).meeting.target {
+            Target::Ball(other, _) => other as usize,
+            _ => ball,
+        };
+        if let Some(ball) = calendar.coming(6) {
+            self.fetch_ball(partner(ball));
             grid.fetch_around(self.balls[ball].cell);
         }
-        if let Some(ball) = calendar.coming(2) {
-            grid.each_near_in_memory(self.balls[ball].cell, |other| fetch(&self.balls, other as usize));
+        if let Some(ball) = calendar.coming(3) {
+            let other = partner(ball);
+            grid.each_near_in_memory(self.balls[ball].cell, |near| fetch(&self.balls, near as usize));
+            grid.fetch_around(self.balls[other].cell);
+            grid.each_near_in_memory(self.balls[other].cell, |near| fetch(&self.balls, near as usize));
         }
+    }
+
+    /// Fetches what a collision reads of a ball.
+    #[inline(always)]
+    fn fetch_ball(&self, ball: usize) {
+        if let Some(Many { calendar, .. }) = &self.many {
+            calendar.fetch(ball);
+        }
+        fetch(&self.balls, ball);
+        fetch(&self.system.discs, ball);
     }
 }

@@ -15,10 +15,16 @@ impl<S: Scalar> System<S> {
         self.periodic[0] || self.periodic[1]
     }
 
+    /// How large the table is; what an axis is long.
+    #[inline(always)]
+    pub fn extent(&self) -> Vec2<S> {
+        self.bounds.max - self.bounds.min
+    }
+
     /// The way that so many rounds are.
     #[inline(always)]
     pub fn shift(&self, rounds: [i32; 2]) -> Vec2<S> {
-        let extent = self.bounds.max - self.bounds.min;
+        let extent = self.extent();
         let [x, y] = rounds.map(|rounds| S::from_f64(f64::from(rounds)));
         Vec2::new(extent.x * x, extent.y * y)
     }
@@ -58,7 +64,7 @@ impl<S: Scalar> System<S> {
         if !self.is_periodic() {
             return [0; 2];
         }
-        let extent = self.bounds.max - self.bounds.min;
+        let extent = self.extent();
         let along = |away: S, extent: S, is_periodic: bool| {
             let half = extent * S::from_f64(0.5);
             match () {
