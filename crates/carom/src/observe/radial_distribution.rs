@@ -25,6 +25,8 @@ const CONTACT_RANGE: f64 = 0.1;
 const CONTACT_BINS: usize = 8;
 /// The number of coefficients of a cubic.
 const COEFFICIENTS: usize = 4;
+/// The side of the cells in which neighbours are sought, in ranges.
+const CELL: f64 = 0.25;
 /// Bins are counted up to so many.
 const MOST_BINS: f64 = 1e6;
 
@@ -137,20 +139,18 @@ impl RadialDistribution {
     fn count(&self, Moment { snapshot, gas, .. }: &Moment) -> (f64, Vec<u64>) {
         let (start, end, per_width) = (self.bins.start, self.bins.end(), 1.0 / self.bins.width);
         let last = self.bins.count - 1;
-        let (mut middles, mut counts) = (0.0, vec![0u64; self.bins.count]);
-        // Cells of half the range: fewer discs beyond it are looked at than with whole ones.
-        let grid = Grid::new(snapshot, 0.5 * end);
-        for (disc, place) in grid.discs().iter().filter(|(_, place)| self.is_middle(gas, *place)) {
-            middles += 1.0;
-            grid.near(*place, end, |other, [x, y]| {
-                let square = x * x + y * y;
-                if square < end * end && square >= start * start && other != *disc {
-                    let bin = ((square.sqrt() - start) * per_width) as usize;
-                    counts[bin.min(last)] += 1;
-                }
-            });
-        }
-        (middles, counts)
+        let mut counts = vec![0u64; self.bins.count];
+        let grid = Grid::new(snapshot, CELL * end);
+        let is_middle: Vec<u8> =
+            grid.discs().iter().map(|(_, place)| u8::from(self.is_middle(gas, *place))).collect();
+        // Each of two is in the ring of the other, if that is a middle.
+        grid.pairs(end, |first, second, square| {
+            if square < end * end && square >= start * start {
+                let bin = ((square.sqrt() - start) * per_width) as usize;
+                counts[bin.min(last)] += u64::from(is_middle[first] + is_middle[second]);
+            }
+        });
+        (is_middle.iter().map(|is| f64::from(*is)).sum(), counts)
     }
 
     fn curve(&self, gas: &Gas, density: f64) -> Curve {
