@@ -6,7 +6,6 @@ use carom::engine::{Limits, Simulation};
 use carom::run::Nothing;
 use carom::scenario::{Scenario, System};
 use std::sync::Arc;
-use std::time::Instant;
 
 /// Discs of two sizes, and masses from one to three.
 const MIXED: &str =
@@ -71,7 +70,7 @@ impl Case<'_> {
         let mut simulation = self.simulation();
         let audit = Audit::new(&simulation);
         let mut found = audit.check(&simulation);
-        let (mut clock, begin) = (Clock::default(), Instant::now());
+        let mut clock = Clock::default();
         let look = LOOK.min(self.events / FEWEST_LOOKS);
         let (mut done, mut looks) = (0.0, 0.0);
         while done < self.events {
@@ -88,9 +87,8 @@ impl Case<'_> {
         }
         let own = simulation.diagnostics();
         let smallest = simulation.system().discs.iter().map(|disc| disc.radius).fold(f64::INFINITY, f64::min);
-        let seconds = begin.elapsed().as_secs_f64();
         verdict.line(
-            &format!("{name}  {done:.1e} events, {looks} looks, {seconds:.0} s"),
+            &format!("{name}  {done:.1e} events, {looks} looks"),
             &[
                 Bounded { name: "overlap", value: found.overlap.max(0.0), bound: 1e-9 },
                 Bounded { name: "at events", value: own.deepest_overlap / smallest, bound: 1e-9 },

@@ -23,6 +23,16 @@ impl Bounded {
         Self { name, value: value / expected - 1.0, bound }
     }
 
+    /// Small numbers with their exponents, others as they are.
+    fn told(&self) -> String {
+        let Self { name, value, bound } = self;
+        match bound {
+            ..0.0 | 0.0 | 1.0.. => format!("{name} {value:.0} (≤ {bound:.0})"),
+            0.1.. => format!("{name} {value:+.3} (≤ {bound:.2})"),
+            _ => format!("{name} {value:+.1e} (≤ {bound:.1e})"),
+        }
+    }
+
     /// No number is within no bound.
     fn is_within(&self) -> bool {
         self.value.abs() <= self.bound
@@ -32,8 +42,7 @@ impl Bounded {
 impl Verdict {
     /// Prints the line of a case: what it is, and the numbers that have bounds.
     pub fn line(&mut self, case: &str, numbers: &[Bounded]) {
-        let told = |Bounded { name, value, bound }: &Bounded| format!("{name} {value:+.1e} (≤ {bound:.0e})");
-        let all: Vec<String> = numbers.iter().map(told).collect();
+        let all: Vec<String> = numbers.iter().map(Bounded::told).collect();
         let broken: Vec<&str> =
             numbers.iter().filter(|number| !number.is_within()).map(|number| number.name).collect();
         let end = if broken.is_empty() { "ok".to_owned() } else { format!("BROKEN: {}", broken.join(", ")) };

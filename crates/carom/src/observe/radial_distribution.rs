@@ -138,19 +138,20 @@ impl RadialDistribution {
     /// The number of middles, and for each bin that of the discs in it about them.
     fn count(&self, Moment { snapshot, gas, .. }: &Moment) -> (f64, Vec<u64>) {
         let (start, end, per_width) = (self.bins.start, self.bins.end(), 1.0 / self.bins.width);
-        let last = self.bins.count - 1;
-        let mut counts = vec![0u64; self.bins.count];
         let grid = Grid::new(snapshot, CELL * end);
         let is_middle: Vec<u8> =
             grid.discs().iter().map(|(_, place)| u8::from(self.is_middle(gas, *place))).collect();
-        // Each of two is in the ring of the other, if that is a middle.
+        // What is nearer than the first bin, or beyond the last, has a bin of its own on either side: no branch to mispredict.
+        let beyond = self.bins.count + 1;
+        let mut counts = vec![0u64; beyond + 1];
         grid.pairs(end, |first, second, square| {
-            if square < end * end && square >= start * start {
-                let bin = ((square.sqrt() - start) * per_width) as usize;
-                counts[bin.min(last)] += u64::from(is_middle[first] + is_middle[second]);
-            }
+            // A negative number becomes zero.
+            let bin = ((square.sqrt() - start) * per_width + 1.0) as usize;
+            // Each of two is in the ring of the other, if that is a middle.
+            counts[bin.min(beyond)] += u64::from(is_middle[first] + is_middle[second]);
         });
-        (is_middle.iter().map(|is| f64::from(*is)).sum(), counts)
+        let inside = counts[1..beyond].to_vec();
+        (is_middle.iter().map(|is| f64::from(*is)).sum(), inside)
     }
 
     fn curve(&self, gas: &Gas, density: f64) -> Curve {
