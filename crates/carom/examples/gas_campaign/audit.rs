@@ -18,8 +18,8 @@ pub struct Audit {
 /// What was found of a gas at a moment.
 #[derive(Clone, Copy, Debug)]
 pub struct Found {
-    /// The deepest overlap of two discs, or of a disc and a wall, in radii of the smaller disc; below zero for the
-    /// smallest gap of what was looked at.
+    /// The deepest overlap of two discs, or of a disc and a wall, in radii of the smaller disc; below zero where nothing
+    /// overlaps.
     pub overlap: f64,
     /// The change of the energy since the beginning, as a part of it.
     pub energy: f64,
@@ -117,7 +117,7 @@ impl Places<'_> {
         let largest = self.radii.iter().copied().fold(0.0, f64::max);
         let cells = self.size.map(|side| ((side / (2.0 * largest)) as usize).max(1));
         let sorted = self.by_cell(cells);
-        let mut deepest = self.into_walls();
+        let mut deepest = self.deepest_in_walls();
         for disc in 0..self.places.len() as u32 {
             let [column, row] = self.cell(disc, cells);
             for (across, up) in (0..9).map(|k| (k % 3, k / 3)) {
@@ -149,7 +149,7 @@ impl Places<'_> {
     }
 
     /// How deep a disc is in a wall, in its radii.
-    fn into_walls(&self) -> f64 {
+    fn deepest_in_walls(&self) -> f64 {
         let mut deepest = f64::NEG_INFINITY;
         for (place, radius) in self.places.iter().zip(self.radii) {
             for axis in (0..2).filter(|axis| !self.periods[*axis]) {
@@ -201,8 +201,8 @@ impl ByCell {
 
 impl Observer<f64, Plane> for Clock {
     fn event(&mut self, event: &Event<f64>) {
-        // Not "earlier": a time that is no number counts as well.
-        self.backwards += u64::from(!(event.time >= self.last));
+        // A time that is no number counts as well.
+        self.backwards += u64::from(event.time < self.last || event.time.is_nan());
         self.last = event.time;
     }
 

@@ -34,8 +34,11 @@ pub fn memory(scale: f64, verdict: &mut Verdict) {
         if let Err(error) = simulation.advance((COLLISIONS * scale) as u64, &mut Nothing) {
             return verdict.failure(&name, &error.to_string());
         }
+        let later = per_disc(ALLOCATOR.current_usage() - before);
         let peak = per_disc(ALLOCATOR.peak_usage() - before);
-        let case = format!("{name}  bytes a disc: system {of_system:.0}, engine at first {at_first:.0}");
+        let case = format!(
+            "{name}  bytes a disc: system {of_system:.0}, engine at first {at_first:.0}, later {later:.0}"
+        );
         verdict.line(&case, &[Bounded { name: "engine at most", value: peak, bound: MOST }]);
     }
 }
