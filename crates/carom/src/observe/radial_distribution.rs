@@ -26,7 +26,7 @@ const CONTACT_BINS: usize = 8;
 /// The number of coefficients of a cubic.
 const COEFFICIENTS: usize = 4;
 /// The side of the cells in which neighbours are sought, in ranges.
-const CELL: f64 = 0.25;
+const CELL: f64 = 0.4;
 /// Bins are counted up to so many.
 const MOST_BINS: f64 = 1e6;
 
@@ -144,11 +144,15 @@ impl RadialDistribution {
         // What is nearer than the first bin, or beyond the last, has a bin of its own on either side: no branch to mispredict.
         let beyond = self.bins.count + 1;
         let mut counts = vec![0u64; beyond + 1];
-        grid.pairs(end, |first, second, square| {
-            // A negative number becomes zero.
-            let bin = ((square.sqrt() - start) * per_width + 1.0) as usize;
-            // Each of two is in the ring of the other, if that is a middle.
-            counts[bin.min(beyond)] += u64::from(is_middle[first] + is_middle[second]);
+        grid.pairs(end, |first, others, from| {
+            let (own, start, per_width) = (is_middle[first], start, per_width);
+            for ((_, place), is_other) in grid.discs()[others.clone()].iter().zip(&is_middle[others]) {
+                let [x, y] = [place[0] - from[0], place[1] - from[1]];
+                // A negative number becomes zero.
+                let bin = (((x * x + y * y).sqrt() - start) * per_width + 1.0) as u32 as usize;
+                // Each of two is in the ring of the other, if that is a middle.
+                counts[bin.min(beyond)] += u64::from(own + is_other);
+            }
         });
         let inside = counts[1..beyond].to_vec();
         (is_middle.iter().map(|is| f64::from(*is)).sum(), inside)
