@@ -13,7 +13,7 @@ SCENARIOS := $(wildcard scenarios/*)
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .PHONY: help build run check-engine test test-rust test-python lint lint-rust lint-python format docs licences
-.PHONY: pictures third-party bench bench-gas bench-pooltool campaign digests wheel wheel-check floors clean
+.PHONY: pictures third-party bench bench-gas bench-pooltool campaign campaign-gas digests wheel wheel-check floors clean
 
 help: ## List these commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -99,6 +99,10 @@ bench-pooltool: build $(POOLTOOL)/.built ## Play the same shots with pooltool 0.
 campaign: ## Play a million random shots and hold them to what no run may break: make campaign SHOTS=... SEED=...
 	@$(need_rust)
 	$(CARGO) run --locked --release -p carom --example shots -- $(or $(SHOTS),1000000) $(or $(SEED),7)
+
+campaign-gas: ## Hold gases to theory, in long runs: make campaign-gas PART=truth|dense|billion|million|cost|memory SCALE=0.1
+	@$(need_rust)
+	$(CARGO) run --locked --release -p carom --example gas_campaign -- $(or $(PART),all) $(or $(SCALE),1)
 
 digests: ## Mint the golden digests of the scenarios anew: make digests REASON="..."
 	@$(need_rust)

@@ -1,6 +1,7 @@
 //! Who is near: the centres sorted into cells, so that neighbours of all discs cost O(N).
 
 use super::snapshot::Snapshot;
+use core::ops::Range;
 
 /// There are no more cells than so many times the discs: fine cells in an empty box help nobody.
 const CELLS_PER_DISC: f64 = 4.0;
@@ -96,10 +97,55 @@ impl Grid {
         }
     }
 
+    /// Visits each pair of discs within reach of each other once, and some that are further apart, each periodic image on
+    /// its own: one of two, with a stretch of others by their places in [`Grid::discs`], and where it is as they see it.
+    #[inline]
+    pub fn pairs(&self, reach: f64, mut visit: impl FnMut(usize, Range<usize>, [f64; 2])) {
+        let height = self.size[1] / self.cells[1] as f64;
+        let end = self.cells[0] as i64 - 1;
+        for first in 0..self.discs.len() {
+            let place = self.discs[first].1;
+            let row = (self.cell(place) / self.cells[0]) as i64;
+            let mut meet = |others: Range<usize>, [across, up]: [f64; 2]| {
+                visit(first, others, [place[0] - across, place[1] - up]);
+            };
+            // Of two in a row it is the turn of the one that comes first, and of those beyond the side of the last.
+            let last = self.cells_within(0, place[0], reach).1;
+            meet(first + 1..self.range(row, (0, last.min(end))).end, [0.0; 2]);
+            self.along(row, (end + 1, last), &mut meet);
+            // Of two rows it is the turn of the lower one, for what is within the circle.
+            for row in row + 1..=self.cells_within(1, place[1], reach).1 {
+                let up = row as f64 * height - place[1];
+                let square = reach * reach - up * up;
+                if square > 0.0 {
+                    self.along(row, self.cells_within(0, place[0], square.sqrt()), &mut meet);
+                }
+            }
+        }
+    }
+
+    /// The discs in some cells of a row, in pieces that each have a shift, as the cells may go on beyond a periodic side.
+    #[inline]
+    fn along(&self, row: i64, (mut first, last): (i64, i64), meet: &mut impl FnMut(Range<usize>, [f64; 2])) {
+        let (row, up) = self.image(1, row);
+        while first <= last {
+            let (column, across) = self.image(0, first);
+            let count = (last - first).min(self.cells[0] as i64 - 1 - column as i64);
+            meet(self.range(row as i64, (column as i64, column as i64 + count)), [across, up]);
+            first += count + 1;
+        }
+    }
+
+    /// The discs in some cells of a row in the box.
+    fn range(&self, row: i64, (first, last): (i64, i64)) -> Range<usize> {
+        let start = row as usize * self.cells[0];
+        self.starts[start + first as usize] as usize..self.starts[start + last as usize + 1] as usize
+    }
+
     /// The first and the last cell along an axis within reach of a place; beyond a periodic side they go on.
     fn cells_within(&self, axis: usize, place: f64, reach: f64) -> (i64, i64) {
         let per_length = self.cells[axis] as f64 / self.size[axis];
-        let cell = |place: f64| (place * per_length).floor() as i64;
+        let cell = |place: f64| floor(place * per_length);
         let (first, last) = (cell(place - reach), cell(place + reach));
         let end = self.cells[axis] as i64 - 1;
         if self.periods[axis] { (first, last) } else { (first.clamp(0, end), last.clamp(0, end)) }
@@ -110,4 +156,11 @@ impl Grid {
         let cells = self.cells[axis] as i64;
         (cell.rem_euclid(cells) as usize, cell.div_euclid(cells) as f64 * self.size[axis])
     }
+}
+
+/// The largest whole number that is no larger, quicker than by a call of the platform's function.
+#[inline]
+fn floor(number: f64) -> i64 {
+    let whole = number as i64;
+    whole - i64::from(whole as f64 > number)
 }

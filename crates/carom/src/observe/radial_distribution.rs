@@ -25,6 +25,8 @@ const CONTACT_RANGE: f64 = 0.1;
 const CONTACT_BINS: usize = 8;
 /// The number of coefficients of a cubic.
 const COEFFICIENTS: usize = 4;
+/// The side of the cells in which neighbours are sought, in ranges.
+const CELL: f64 = 0.4;
 /// Bins are counted up to so many.
 const MOST_BINS: f64 = 1e6;
 
@@ -136,21 +138,24 @@ impl RadialDistribution {
     /// The number of middles, and for each bin that of the discs in it about them.
     fn count(&self, Moment { snapshot, gas, .. }: &Moment) -> (f64, Vec<u64>) {
         let (start, end, per_width) = (self.bins.start, self.bins.end(), 1.0 / self.bins.width);
-        let last = self.bins.count - 1;
-        let (mut middles, mut counts) = (0.0, vec![0u64; self.bins.count]);
-        // Cells of half the range: fewer discs beyond it are looked at than with whole ones.
-        let grid = Grid::new(snapshot, 0.5 * end);
-        for (disc, place) in grid.discs().iter().filter(|(_, place)| self.is_middle(gas, *place)) {
-            middles += 1.0;
-            grid.near(*place, end, |other, [x, y]| {
-                let square = x * x + y * y;
-                if square < end * end && square >= start * start && other != *disc {
-                    let bin = ((square.sqrt() - start) * per_width) as usize;
-                    counts[bin.min(last)] += 1;
-                }
-            });
-        }
-        (middles, counts)
+        let grid = Grid::new(snapshot, CELL * end);
+        let is_middle: Vec<u8> =
+            grid.discs().iter().map(|(_, place)| u8::from(self.is_middle(gas, *place))).collect();
+        // What is nearer than the first bin, or beyond the last, has a bin of its own on either side: no branch to mispredict.
+        let beyond = self.bins.count + 1;
+        let mut counts = vec![0u64; beyond + 1];
+        grid.pairs(end, |first, others, from| {
+            let (own, start, per_width) = (is_middle[first], start, per_width);
+            for ((_, place), is_other) in grid.discs()[others.clone()].iter().zip(&is_middle[others]) {
+                let [x, y] = [place[0] - from[0], place[1] - from[1]];
+                // A negative number becomes zero.
+                let bin = (((x * x + y * y).sqrt() - start) * per_width + 1.0) as u32 as usize;
+                // Each of two is in the ring of the other, if that is a middle.
+                counts[bin.min(beyond)] += u64::from(own + is_other);
+            }
+        });
+        let inside = counts[1..beyond].to_vec();
+        (is_middle.iter().map(|is| f64::from(*is)).sum(), inside)
     }
 
     fn curve(&self, gas: &Gas, density: f64) -> Curve {

@@ -45,6 +45,7 @@ mod pockets;
 mod references;
 mod resting;
 mod run_files;
+mod soak;
 mod stepped;
 mod symmetry;
 mod tampered_runs;

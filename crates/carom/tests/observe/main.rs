@@ -3,12 +3,17 @@
 #![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod block_errors;
+mod crystals;
+mod fluids;
+mod gases;
 mod kit;
 mod motion;
 mod observed_runs;
 mod pressures;
 mod requests;
 mod resumption;
+mod same_bits;
 mod structure;
+mod transport;
 mod velocities;
 mod with_the_engine;
