@@ -55,6 +55,7 @@ class Recorder:
         append: bool = False,
     ) -> None:
         self._native = native
+        self._files = (snapshots, events, checkpoints)
         self._checkpoints = checkpoints
         self._balls, self._cushions = native.ids()
         # Discs that are called by their numbers need no names in a file.
@@ -77,6 +78,10 @@ class Recorder:
             self._events.write(event_table(self._native.events(), self._balls, self._cushions))
         if self._checkpoints is not None and time.monotonic() - self._saved >= self._checkpoints.every:
             self.save()
+
+    def files(self) -> list[str]:
+        """Give the names of the files that are there."""
+        return [Path(file.path).name for file in self._files if file is not None and Path(file.path).exists()]
 
     def save(self) -> None:
         """Write a checkpoint, if there are to be any."""
@@ -147,7 +152,7 @@ def observed(
     native = _engine.ObservedRun.start(scenario._native, options_json(options), rows, to_json(plan))
     recorder = Recorder(native, *files)
     recorder.save()
-    return _driven(native, recorder, progress)
+    return driven(native, recorder, progress)
 
 
 def resume(
@@ -185,10 +190,17 @@ def resume(
     RecordError
         When a file of snapshots or events lacks what it had at the checkpoint.
     """
+    options = {"duration": duration, "collisions": collisions, "max_events": max_events}
+    return driven(*reopened(path, options, every), progress)
+
+
+def reopened(
+    path: str | os.PathLike[str], options: Mapping[str, Any], every: float | None
+) -> tuple[_engine.ObservedRun, Recorder]:
+    """Give a run as it was at its checkpoint, and what goes on to write its files; see `resume`."""
     place = Path(path) / CHECKPOINT if Path(path).is_dir() else Path(path)
     if every is not None:
         check_finite("every", every)
-    options = {"duration": duration, "collisions": collisions, "max_events": max_events}
     ends = options_json(options)
     try:
         native = _engine.ObservedRun.resume(place.read_bytes(), ends)
@@ -209,10 +221,10 @@ def resume(
         from carom.records import cut_events
 
         cut_events(events.path, rows)
-    return _driven(native, Recorder(native, snapshots, events, checkpoints, append=True), progress)
+    return native, Recorder(native, snapshots, events, checkpoints, append=True)
 
 
-def _driven(native: _engine.ObservedRun, recorder: Recorder, progress: Progress | None) -> Run:
+def driven(native: _engine.ObservedRun, recorder: Recorder, progress: Progress | None) -> Run:
     """Take a run to its end."""
     try:
         while (pause := native.advance()) != "ended":

@@ -77,6 +77,12 @@ impl ObservedRun {
         Ok(Scenario::new(self.run()?.scenario().clone()))
     }
 
+    /// The collisions and the time at which it ends, where they are given.
+    fn ends(&self) -> PyResult<(Option<u64>, Option<f64>)> {
+        let scenario = self.run()?.scenario();
+        Ok((scenario.collisions, scenario.duration))
+    }
+
     /// Goes on to the next pause, without the interpreter's lock: "progress", "snapshot", "events" or "ended".
     fn advance(&mut self, py: Python<'_>) -> PyResult<&'static str> {
         let run = self.run_mut()?;
