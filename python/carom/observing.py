@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from carom import _engine
 from carom.encoding import to_json
-from carom.errors import RunError, ScenarioError, SimulationError
+from carom.errors import RunError, ScenarioError
 from carom.files import replacing, sweep
 from carom.observables import Observables, Progress, Request
 from carom.options import check_finite, options_json
@@ -231,10 +231,8 @@ def driven(native: _engine.ObservedRun, recorder: Recorder, progress: Progress |
             if pause == "progress" and progress is not None and progress(*native.progress()):
                 native.stop()
             recorder.write(pause)
-    except (ScenarioError, SimulationError):
-        raise  # the run is broken, and the checkpoint before is not
     except BaseException:
-        with suppress(OSError):
+        with suppress(OSError, RunError):  # of a run that broke the checkpoint before is the last
             recorder.save()
         raise
     recorder.save()

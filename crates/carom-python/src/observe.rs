@@ -27,7 +27,7 @@ type Frame<'py> = (
 /// A run under way that is observed, and hands out snapshots and events.
 #[pyclass(module = "carom._engine")]
 pub struct ObservedRun {
-    /// None when the run was given out.
+    /// None when the run was finished or broke.
     run: Option<observed::ObservedRun>,
     note: String,
 }
@@ -85,8 +85,10 @@ impl ObservedRun {
 
     /// Goes on to the next pause, without the interpreter's lock: "progress", "snapshot", "events" or "ended".
     fn advance(&mut self, py: Python<'_>) -> PyResult<&'static str> {
-        let run = self.run_mut()?;
+        // A run that breaks, or panics, is not put back: it must not be written down.
+        let mut run = self.run.take().ok_or_else(gone)?;
         let pause = py.detach(|| run.advance()).map_err(|error| observed_error(error, run.scenario()))?;
+        self.run = Some(run);
         Ok(match pause {
             Pause::Progress => "progress",
             Pause::Snapshot => "snapshot",
@@ -147,7 +149,7 @@ impl ObservedRun {
 
     /// The run, and what each observable found. Nothing is left here.
     fn finish<'py>(&mut self, py: Python<'py>) -> PyResult<(Run, Bound<'py, PyList>)> {
-        let run = self.run.take().ok_or_else(given_out)?;
+        let run = self.run.take().ok_or_else(gone)?;
         let scenario = run.scenario().clone();
         let (run, observables) = run.finish().map_err(|error| observed_error(error, &scenario))?;
         let rows = observables.results().iter().map(|found| row(py, found)).collect::<PyResult<Vec<_>>>()?;
@@ -157,16 +159,16 @@ impl ObservedRun {
 
 impl ObservedRun {
     fn run(&self) -> PyResult<&observed::ObservedRun> {
-        self.run.as_ref().ok_or_else(given_out)
+        self.run.as_ref().ok_or_else(gone)
     }
 
     fn run_mut(&mut self) -> PyResult<&mut observed::ObservedRun> {
-        self.run.as_mut().ok_or_else(given_out)
+        self.run.as_mut().ok_or_else(gone)
     }
 }
 
-fn given_out() -> PyErr {
-    run_error("the run was finished already")
+fn gone() -> PyErr {
+    run_error("the run was finished already, or it broke")
 }
 
 fn checkpoint_error(error: CheckpointError) -> PyErr {
