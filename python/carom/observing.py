@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from carom import _engine
 from carom.encoding import to_json
-from carom.errors import RunError, ScenarioError
+from carom.errors import RecordError, RunError, ScenarioError
 from carom.files import replacing, sweep
 from carom.observables import Observables, Progress, Request
 from carom.options import check_finite, options_json
@@ -87,8 +87,14 @@ class Recorder:
         """Write a checkpoint, if there are to be any."""
         if self._checkpoints is None:
             return
-        with replacing(self._checkpoints.path, durable=True) as temporary:
-            temporary.write_bytes(self._native.checkpoint(self._note))
+        try:
+            with replacing(self._checkpoints.path, durable=True) as temporary:
+                temporary.write_bytes(self._native.checkpoint(self._note))
+        except OSError as error:
+            from carom.records.writing import reason_of
+
+            place = os.fspath(self._checkpoints.path)
+            raise RecordError([(place, f"not written, {reason_of(error)}; what was there before stays")]) from error
         self._saved = time.monotonic()
 
 
@@ -232,7 +238,7 @@ def driven(native: _engine.ObservedRun, recorder: Recorder, progress: Progress |
                 native.stop()
             recorder.write(pause)
     except BaseException:
-        with suppress(OSError, RunError):  # of a run that broke the checkpoint before is the last
+        with suppress(RecordError, RunError):  # of a run that broke the checkpoint before is the last
             recorder.save()
         raise
     recorder.save()

@@ -129,9 +129,11 @@ def recover_gsd(path: Path, to: Path, most: int | None = None) -> int:
         shutil.copyfile(path, temporary)
         with temporary.open("r+b") as file:
             file.write(header.tobytes())
-            file.seek(start)
-            file.write(entries.tobytes().ljust(room * ENTRY.itemsize, b"\0"))
-            file.truncate(max(file.tell(), _end_of(header[0], entries)))
+            # Older indices too: whoever looks for the best of them must not find frames that are gone.
+            for place, size in {*places, (start, room)}:
+                file.seek(place)
+                file.write(entries[:size].tobytes().ljust(size * ENTRY.itemsize, b"\0"))
+            file.truncate(max(start + room * ENTRY.itemsize, _end_of(header[0], entries)))
     return frames
 
 
