@@ -18,7 +18,7 @@ import pytest
 
 import carom
 from carom import records
-from carom.observing import CHECKPOINT
+from carom.recording import CHECKPOINT
 
 COLLISIONS = 60_000
 NAMES = ["pressure", "psi6", "free_path", "diffusion"]

@@ -16,7 +16,7 @@ from carom.errors import RecordError, RunError, ScenarioError
 from carom.files import replacing, sweep
 from carom.observables import Observables, Progress, Request
 from carom.options import check_finite, options_json
-from carom.recording import EVERY, Checkpoints, EventStream, Snapshots
+from carom.recording import CHECKPOINT, EVERY, Checkpoints, EventStream, Snapshots
 from carom.run import Run
 from carom.scenario import Scenario
 
@@ -25,9 +25,6 @@ if TYPE_CHECKING:
     from carom.records import ExtendedXyzWriter as XyzWriter
 
     Writer = GsdWriter | XyzWriter | ParquetWriter
-
-CHECKPOINT = "checkpoint.carom"
-"""The checkpoint in a folder of results."""
 
 
 class Recorder:

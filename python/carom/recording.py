@@ -10,6 +10,9 @@ from typing import Any
 from carom.errors import ScenarioError
 from carom.options import check_finite, check_whole
 
+CHECKPOINT = "checkpoint.carom"
+"""The checkpoint in a folder of results."""
+
 EVERY = 300.0
 """Seconds between two checkpoints, if nothing is said."""
 

@@ -12,8 +12,7 @@ from carom.cli.folder import check_free, made
 from carom.cli.measuring import bar, count, finish, interruptible, result_names
 from carom.cli.output import reporting
 from carom.errors import ScenarioError
-from carom.observing import CHECKPOINT
-from carom.recording import EVERY, Checkpoints, EventStream, Snapshots
+from carom.recording import CHECKPOINT, EVERY, Checkpoints, EventStream, Snapshots
 
 if TYPE_CHECKING:
     from carom.scenario import Scenario

@@ -10,6 +10,7 @@ import typer
 from carom.cli import options
 from carom.cli.measuring import bar, count, finish, interruptible
 from carom.cli.output import reporting
+from carom.recording import CHECKPOINT
 
 
 @reporting()
@@ -37,7 +38,7 @@ def resume(
     The bits, what is measured, and the files of snapshots and events are those of a run that was never broken off. With
     --collisions or --duration that end takes the place of the one it had. Results in DIR are replaced.
     """
-    from carom.observing import CHECKPOINT, driven, reopened
+    from carom.observing import driven, reopened
 
     kinds = [] if no_figures else options.read_formats(formats)
     native, recorder = reopened(folder / CHECKPOINT, {"collisions": collisions, "duration": duration}, checkpoint_every)
