@@ -234,7 +234,7 @@ def test_the_shell_prints_numbers_and_writes_files(saved: Path, tmp_path: Path) 
     z = found["compressibility_factor"]
     assert rows["pressure", "compressibility_factor"][2:5] == [str(z.value), str(z.error), str(z.expected)]
     assert rows["collisions", "20000"]
-    files = {"observables.json", "radial_distribution.csv", "radial_distribution.png", "run.json"}
+    files = {"checkpoint.carom", "observables.json", "radial_distribution.csv", "radial_distribution.png", "run.json"}
     assert {path.name for path in out.iterdir()} == files
     assert carom.load_run(out / "run.json").verify()
     assert shell(*words, "--out", out)[0] == 1
@@ -280,11 +280,11 @@ def test_ctrl_c_ends_a_measurement_in_the_shell_with_what_is_there(saved: Path, 
 import sys, threading, signal
 from carom.cli import gas, main
 import carom.cli.app
-started = gas._bar
+started = gas.bar
 def telling(*given):
     print("ready", flush=True)
     return started(*given)
-gas._bar = telling
+gas.bar = telling
 main()
 """
     command = [sys.executable, "-c", code, "gas", str(saved), "--collisions", "1e12", "--out", str(tmp_path / "out")]

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from carom.errors import (
         CaromError,
         MissingExtraError,
+        RecordError,
         RunError,
         ScenarioError,
         SimulationError,
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from carom.library import presets, scenarios
     from carom.method import Exact, Stepped
     from carom.observables import Curve, Observable, Observables, Quantity
+    from carom.observing import resume
     from carom.physics import (
         ByIncidence,
         BySpeed,
@@ -60,6 +62,7 @@ if TYPE_CHECKING:
         StrongeCompliant,
     )
     from carom.rack import Rack
+    from carom.recording import Checkpoints, EventStream, Snapshots
     from carom.run import Reference, Run, Verification, load_run
     from carom.scenario import Scenario, load
     from carom.shot import ShotResult
@@ -85,6 +88,7 @@ _HOMES = {
     "errors": [
         "CaromError",
         "MissingExtraError",
+        "RecordError",
         "RunError",
         "ScenarioError",
         "SimulationError",
@@ -112,7 +116,9 @@ _HOMES = {
         "StrongeCompliant",
     ],
     "observables": ["Curve", "Observable", "Observables", "Quantity"],
+    "observing": ["resume"],
     "rack": ["Rack"],
+    "recording": ["Checkpoints", "EventStream", "Snapshots"],
     "run": ["Reference", "Run", "Verification", "load_run"],
     "scenario": ["Scenario", "load"],
     "shot": ["ShotResult"],
@@ -129,6 +135,7 @@ __all__ = [
     "BySpeed",
     "Candidate",
     "CaromError",
+    "Checkpoints",
     "Circle",
     "Cloth",
     "ColumnTable",
@@ -138,6 +145,7 @@ __all__ = [
     "Difference",
     "Elastic",
     "Event",
+    "EventStream",
     "EventTable",
     "Exact",
     "FallingFriction",
@@ -158,6 +166,7 @@ __all__ = [
     "Pocket",
     "Quantity",
     "Rack",
+    "RecordError",
     "Reference",
     "Restitution",
     "Run",
@@ -169,6 +178,7 @@ __all__ = [
     "ShotResult",
     "Simulation",
     "SimulationError",
+    "Snapshots",
     "StepComparison",
     "Stepped",
     "StrongeCompliant",
@@ -186,6 +196,7 @@ __all__ = [
     "load",
     "load_run",
     "presets",
+    "resume",
     "scenarios",
     "schema",
 ]

@@ -3,7 +3,6 @@
 Scenarios and options go over as JSON text. Words such as kinds and ids go over as codes into lists, −1 for none.
 """
 
-from collections.abc import Callable
 from typing import Any, Literal, TypedDict, final
 
 import numpy as np
@@ -14,6 +13,7 @@ __all__ = [
     "MOTIONS",
     "OBSERVABLES",
     "PHYSICS_VERSION",
+    "ObservedRun",
     "Run",
     "Scenario",
     "Simulation",
@@ -28,7 +28,6 @@ __all__ = [
     "open_pot",
     "open_pots",
     "presets",
-    "run_observed",
     "schema",
 ]
 
@@ -62,6 +61,17 @@ class _StepColumns(TypedDict):
     vx: NDArray[np.float64]
     vy: NDArray[np.float64]
     hit: NDArray[np.int8]
+
+_Frame = tuple[
+    float,
+    int,
+    list[float],
+    list[bool],
+    NDArray[np.float64],
+    NDArray[np.float64],
+    NDArray[np.float64],
+    NDArray[np.float64],
+]
 
 class _Quantity(TypedDict):
     name: str
@@ -97,13 +107,6 @@ def open_pots(scenario: Scenario, cue_ball: str | None) -> str: ...
 def open_pot(scenario: Scenario, ball: str, pocket: str, cue_ball: str | None) -> str: ...
 def obstructions(scenario: Scenario) -> str: ...
 def least_elevation_deg(scenario: Scenario) -> float | None: ...
-def run_observed(
-    scenario: Scenario,
-    options_json: str,
-    requests_json: str,
-    sampling: tuple[float, float | None],
-    progress: Callable[[float, int, int], object] | None,
-) -> tuple[Run, list[_Results]]: ...
 
 @final
 class Scenario:
@@ -171,3 +174,23 @@ class Run:
     @staticmethod
     def from_json(text: str) -> Run: ...
     def verify(self) -> str: ...
+
+@final
+class ObservedRun:
+    @staticmethod
+    def start(scenario: Scenario, options_json: str, requests_json: str, plan_json: str) -> ObservedRun: ...
+    @staticmethod
+    def resume(checkpoint: bytes, options_json: str) -> ObservedRun: ...
+    @property
+    def note(self) -> str: ...
+    def scenario(self) -> Scenario: ...
+    def ends(self) -> tuple[int | None, float | None]: ...
+    def advance(self) -> Literal["progress", "snapshot", "events", "ended"]: ...
+    def progress(self) -> tuple[float, int, int]: ...
+    def snapshot(self) -> _Frame: ...
+    def events(self) -> _EventColumns: ...
+    def ids(self) -> tuple[list[str], list[str]]: ...
+    def handed_out(self) -> tuple[int, int]: ...
+    def checkpoint(self, note: str) -> bytes: ...
+    def stop(self) -> None: ...
+    def finish(self) -> tuple[Run, list[_Results]]: ...

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, overload
 
+from carom import _engine
 from carom.columns import ColumnTable
 
 if TYPE_CHECKING:
@@ -170,6 +171,22 @@ class EventTable(ColumnTable):
     def _part(self, rows: slice | NDArray[Any]) -> EventTable:
         columns = {name: self.column(name)[rows] for name in COLUMNS}
         return EventTable(columns, self._kinds, self._balls, self._cushions, self._pockets)
+
+
+def event_table(
+    native: Mapping[str, Any], balls: Sequence[str], cushions: Sequence[str], pockets: Sequence[str] = ()
+) -> EventTable:
+    """Give the table of the engine's columns, in which kinds, balls, cushions and pockets are codes."""
+    columns, kinds = dict(native), _engine.EVENT_KINDS
+    for name, words in (
+        ("kind", kinds),
+        ("ball_a", balls),
+        ("ball_b", balls),
+        ("cushion", cushions),
+        ("pocket", pockets),
+    ):
+        columns[name] = decoded(columns[name], words)
+    return EventTable(columns, kinds, balls, cushions, pockets)
 
 
 def event_from(values: Mapping[str, Any]) -> Event:

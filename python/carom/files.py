@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -12,7 +13,7 @@ from carom.errors import CaromError
 
 
 @contextmanager
-def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
+def replacing(path: str | os.PathLike[str], *, durable: bool = False) -> Iterator[Path]:
     """Give a temporary path beside `path`; when the block ends well, it is renamed to `path`.
 
     The temporary name keeps the suffix, so that writers which choose a format by it work. When the block
@@ -23,6 +24,8 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
     ----------
     path : path-like
         Where the file is to be. Its folder must exist.
+    durable : bool
+        Whether it is on the disk, and not in its cache only, before it takes the place of an older one.
 
     Raises
     ------
@@ -35,10 +38,31 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
     try:
         with speaking_of(temporary, path):
             yield temporary
+            if durable:
+                _sync(temporary)
             temporary.replace(target)
+            if durable and os.name == "posix":  # elsewhere a folder cannot be opened
+                _sync(target.parent)
     finally:
         with suppress(OSError):
             temporary.unlink()
+
+
+def sweep(path: str | os.PathLike[str]) -> None:
+    """Remove temporary files that a killed process left of `path`."""
+    target = Path(os.path.realpath(path))
+    name = re.compile(rf"\.{re.escape(target.stem[:32])}\.[0-9a-f]{{8}}{re.escape(target.suffix)}")
+    for left in target.parent.iterdir():
+        if name.fullmatch(left.name):
+            left.unlink(missing_ok=True)
+
+
+def _sync(path: Path) -> None:
+    descriptor = os.open(path, os.O_RDONLY if path.is_dir() else os.O_RDWR)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
 
 
 @contextmanager

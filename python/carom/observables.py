@@ -4,23 +4,18 @@ from __future__ import annotations
 
 import json
 import math
-import numbers
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from carom import _engine
 from carom.columns import ColumnTable
-from carom.encoding import to_json
 from carom.errors import RunError
 from carom.files import write_text
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from carom.scenario import Scenario
 
 Request = str | Mapping[str, Any]
 """An observable that is asked for: its name, or a mapping of `name` and options."""
@@ -253,36 +248,3 @@ def _all(observable: Observable) -> list[Quantity]:
 
 def _file_of(name: str, observable: Observable, curve: Curve) -> str:
     return f"{name}.csv" if len(observable.curves) == 1 else f"{name}_{curve.name}.csv"
-
-
-def observed(
-    scenario: Scenario,
-    options_json: str,
-    requests: Request | Sequence[Request],
-    sampling: tuple[float | None, float | None],
-    progress: Progress | None,
-) -> tuple[_engine.Run, Observables]:
-    """Run a scenario with observables; `sampling` is what is to be left out, and the interval between samples."""
-    asked = [requests] if isinstance(requests, (str, Mapping)) else list(requests)
-    rows = [_request(each) for each in asked]
-    equilibrate, interval = sampling
-    times = (_number("equilibrate", equilibrate) or 0.0, _number("sample_interval", interval))
-    native, found = _engine.run_observed(scenario._native, options_json, to_json(rows), times, progress)
-    return native, Observables(found, scenario.units)
-
-
-def _request(request: Request) -> Mapping[str, Any]:
-    if isinstance(request, str):
-        return {"name": request}
-    if not isinstance(request, Mapping) or not isinstance(request.get("name"), str):
-        known = ", ".join(_engine.OBSERVABLES)
-        raise TypeError(f"observe: needs names, or mappings with a name, got {request!r}; the names are {known}")
-    return request
-
-
-def _number(name: str, value: object) -> float | None:
-    if value is None:
-        return None
-    if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise TypeError(f"{name}: must be a number, got {value!r}")
-    return float(value)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import numbers
 from collections.abc import Mapping
 from typing import Any, Literal, TypedDict
 
 from carom.encoding import to_json
+from carom.errors import ScenarioError
 from carom.method import Exact, Stepped
 
 Record = Literal["all", "events", "none"]
@@ -35,17 +37,26 @@ def check_counts(values: Mapping[str, Any]) -> None:
     """Refuse a count that is no int among the keys of a scenario, as among the options of a run."""
     for name in ("collisions", "max_events"):
         if values.get(name) is not None:
-            _whole(name, values[name])
+            check_whole(name, values[name])
 
 
-def _whole(name: str, value: object) -> None:
+def check_whole(name: str, value: object) -> None:
+    """Refuse what is no int."""
     if isinstance(value, bool) or not isinstance(value, numbers.Integral):
         raise TypeError(f"{name}: must be an int, got {value!r}")
 
 
-def _number(name: str, value: object) -> None:
+def check_number(name: str, value: object) -> None:
+    """Refuse what is no number."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TypeError(f"{name}: must be a number, got {value!r}")
+
+
+def check_finite(name: str, value: object) -> None:
+    """Refuse what is no number, or none that is finite."""
+    check_number(name, value)
+    if not math.isfinite(value):  # type: ignore[arg-type]
+        raise ScenarioError([(name, f"must be finite, got {value}")])
 
 
 def _method(name: str, value: object) -> None:
@@ -64,9 +75,9 @@ def _unknown(name: str, value: object) -> None:
 
 _CHECKS = {
     "method": _method,
-    "duration": _number,
-    "collisions": _whole,
-    "max_events": _whole,
+    "duration": check_number,
+    "collisions": check_whole,
+    "max_events": check_whole,
     "record": _word,
     "until": _word,
 }

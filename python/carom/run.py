@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from carom import _engine
 from carom.columns import ColumnTable
 from carom.errors import RunError, ScenarioError
-from carom.events import Event, EventTable, decoded
+from carom.events import Event, EventTable, decoded, event_table
 from carom.files import read_text, write_text
 from carom.observables import Observables
 from carom.options import options_json
@@ -125,17 +125,7 @@ class Run:
     @cached_property
     def events(self) -> EventTable:
         """The events, in order."""
-        columns: dict[str, Any] = dict(self._native.events())
-        kinds, balls = _engine.EVENT_KINDS, self.ball_ids
-        for name, words in (
-            ("kind", kinds),
-            ("ball_a", balls),
-            ("ball_b", balls),
-            ("cushion", self.cushion_ids),
-            ("pocket", self.pocket_ids),
-        ):
-            columns[name] = decoded(columns[name], words)
-        return EventTable(columns, kinds, balls, self.cushion_ids, self.pocket_ids)
+        return event_table(self._native.events(), self.ball_ids, self.cushion_ids, self.pocket_ids)
 
     @property
     def cushion_ids(self) -> list[str]:

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from carom.observables import Progress, Request
     from carom.physics import Physics
     from carom.rack import Rack
+    from carom.recording import Checkpoints, EventStream, Snapshots
     from carom.run import Run
     from carom.simulation import Simulation
     from carom.table import Table
@@ -365,6 +366,9 @@ class Scenario:
         observe: Request | Sequence[Request] | None = None,
         equilibrate: float | None = None,
         sample_interval: float | None = None,
+        snapshots: Snapshots | None = None,
+        events: EventStream | None = None,
+        checkpoints: Checkpoints | str | os.PathLike[str] | None = None,
         progress: Progress | None = None,
     ) -> Run:
         """Compute the run; what is given here goes before what the scenario says.
@@ -391,9 +395,15 @@ class Scenario:
             Collisions of each disc with others before measuring begins; absent: none. They count for the limits.
         sample_interval : float, optional
             The time between samples; absent: that of ten collisions of each disc.
+        snapshots : Snapshots, optional
+            A file of snapshots of a gas of discs, written while it runs, and when they come.
+        events : EventStream, optional
+            A file of the events of a span of time, written while the gas runs.
+        checkpoints : Checkpoints or path-like, optional
+            A file from which `carom.resume` goes on with the run, whatever ends it.
         progress : callable, optional
             Called now and then with the time, the collisions and the samples so far; what is true ends the run, with
-            status ``interrupted`` and what was measured so far. Only with `observe`.
+            status ``interrupted`` and what was measured so far. Only with one of the four before.
 
         Raises
         ------
@@ -402,23 +412,28 @@ class Scenario:
             observed, or the run ends before there are two samples.
         SimulationError
             When the run breaks one of its own invariants.
+        RecordError
+            When a file of snapshots or events is there already, or cannot be written.
         KeyboardInterrupt
-            On Ctrl-C; nothing of the run remains.
+            On Ctrl-C; of the run remains what was written on the way, with a checkpoint if there are any.
         """
         from carom.run import Run
 
         options: dict[str, Any] = {"method": method, "duration": duration, "collisions": collisions}
         options |= {"max_events": max_events, "record": record}
-        measuring = {"equilibrate": equilibrate, "sample_interval": sample_interval, "progress": progress}
-        if observe is not None:
-            if callable(until):
-                raise TypeError("until: must be a kind of event where there is something to observe")
-            from carom.observables import observed
-
-            text = options_json({**options, "until": until})
-            return Run(*observed(self, text, observe, (equilibrate, sample_interval), progress))
-        if given := [name for name, value in measuring.items() if value is not None]:
+        measuring = {"equilibrate": equilibrate, "sample_interval": sample_interval}
+        files = {"snapshots": snapshots, "events": events, "checkpoints": checkpoints}
+        if observe is None and (given := [name for name, value in measuring.items() if value is not None]):
             raise TypeError(f"{given[0]}: belongs to observe=[...], and nothing is observed")
+        if observe is not None or any(value is not None for value in files.values()):
+            if callable(until):
+                raise TypeError("until: must be a kind of event where something is observed or written")
+            from carom.observing import observed, recorded
+
+            watched = {**options, "until": until}
+            return observed(self, watched, observe or (), (equilibrate, sample_interval), recorded(**files), progress)
+        if progress is not None:
+            raise TypeError("progress: belongs to observe=[...], snapshots, events or checkpoints, and there is none")
         if callable(until):
             return self._start(options).run_until_true(until)
         return Run(self._native.run(options_json({**options, "until": until})))

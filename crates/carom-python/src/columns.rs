@@ -6,15 +6,16 @@ use numpy::{Element, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The event columns; balls, cushions, pockets and kinds as codes, with −1 for none. Pockets are numbered after so many
-/// cushions.
+/// The event columns; balls, cushions, pockets and kinds as codes, with −1 for none. The events are numbered from
+/// `first` on, pockets after so many cushions.
 pub fn event_columns<'py>(
     py: Python<'py>,
     events: &[Event<f64>],
+    first: u64,
     cushions: usize,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let columns = PyDict::new(py);
-    columns.set_item("index", PyArray1::from_iter(py, 0..events.len() as i64))?;
+    let (columns, first) = (PyDict::new(py), first as i64);
+    columns.set_item("index", PyArray1::from_iter(py, first..first + events.len() as i64))?;
     columns.set_item("time", column(py, events, |event| event.time))?;
     columns.set_item("kind", column(py, events, |event| event.kind as i8))?;
     columns.set_item("ball_a", column(py, events, |event| event.ball_a as i32))?;

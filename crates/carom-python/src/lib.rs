@@ -29,7 +29,7 @@ mod _engine {
     #[pymodule_export]
     use crate::bundled::{bundled_scenarios, presets};
     #[pymodule_export]
-    use crate::observe::run_observed;
+    use crate::observe::ObservedRun;
     #[pymodule_export]
     use crate::run::Run;
     #[pymodule_export]

@@ -101,7 +101,7 @@ impl Run {
             if !run.log.keeps_events {
                 return Err(run_error("the run kept no events; run with record = \"events\" or \"all\""));
             }
-            event_columns(py, &run.log.events, self.places().0.len())
+            event_columns(py, &run.log.events, 0, self.places().0.len())
         })
     }
 

@@ -12,7 +12,10 @@ use crate::scenario::schema::{Method, Record};
 use crate::scenario::{Scenario, ScenarioError, System};
 use crate::stepped::{self, Ends, Readings};
 pub use any::{Any, AnyRun, AnySimulation};
-pub use observed::{COLLISIONS_PER_SAMPLE, ObservedError, Progress, Sampling, simulate_observed};
+pub use observed::{
+    COLLISIONS_PER_SAMPLE, Checkpoint, CheckpointError, ObservedError, ObservedRun, Pause, Plan, Progress,
+    Sampling, Snapshots, Window, simulate_observed,
+};
 use serde_json::Value;
 use std::sync::Arc;
 pub use verify::{Difference, verify};

@@ -13,6 +13,7 @@ from carom.cli.bench import bench
 from carom.cli.check import check, verify
 from carom.cli.compare import compare
 from carom.cli.gas import gas
+from carom.cli.resume import resume
 from carom.cli.run import run
 from carom.cli.scenarios import scenarios, schema
 
@@ -87,7 +88,9 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
     gas: [
         "carom gas --n 1000 --packing-fraction 0.5 --collisions 1e5 --observe pressure,speeds",
         "carom gas fifty_random --equilibrate 20 --observe pressure,speeds",
+        "carom gas fifty_random --snapshots gsd --snapshot-interval 0.5 --events 1 2 --out out/gas",
     ],
+    resume: ["carom resume out/gas", "carom resume out/gas --duration 20"],
     check: ["carom check my.toml"],
     verify: ["carom verify out/mine/run.json"],
     scenarios: ["carom scenarios", "carom scenarios --copy stadium stadium.toml"],

@@ -7,7 +7,7 @@ import shutil
 import signal
 import threading
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from carom.errors import ScenarioError
@@ -24,6 +24,26 @@ def check_free(folder: Path, names: Iterable[str], *, overwrite: bool) -> None:
     for path in taken:
         if path.is_dir():
             raise ScenarioError([("--out", f"{path} is a folder, and a file is to be there")])
+
+
+@contextmanager
+def made(folder: Path | None) -> Iterator[None]:
+    """Make a folder for what is written while the block goes on; one that is empty when it fails is removed."""
+    if folder is None:
+        yield
+        return
+    is_new = not folder.exists()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ScenarioError([("--out", f"{folder} cannot be written: {error.strerror}")]) from None
+    try:
+        yield
+    except BaseException:
+        if is_new:
+            with suppress(OSError):
+                folder.rmdir()
+        raise
 
 
 @contextmanager

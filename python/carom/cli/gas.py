@@ -2,41 +2,24 @@
 
 from __future__ import annotations
 
-import signal
-import sys
-import threading
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli import INTERRUPTED, options
-from carom.cli.folder import check_free, filling
-from carom.cli.output import print_json, print_table, reporting, say_error
+from carom.cli import options
+from carom.cli.folder import check_free, made
+from carom.cli.measuring import bar, count, finish, interruptible, result_names
+from carom.cli.output import reporting
+from carom.errors import ScenarioError
+from carom.recording import CHECKPOINT, EVERY, Checkpoints, EventStream, Snapshots
 
 if TYPE_CHECKING:
-    from types import FrameType
-
-    from carom.observables import Observable, Observables
-    from carom.run import Run
     from carom.scenario import Scenario
 
-MARK = "run.json"
-QUANTITIES = "observables.json"
 AXES = {"xy": ["x", "y"], "x": ["x"], "y": ["y"], "none": []}
-
-
-def _count(text: str) -> int:
-    """Read a whole number, also as ``1e6``."""
-    try:
-        number = float(text)
-    except ValueError:
-        number = -1.0
-    if number < 0.0 or number != int(number):
-        raise typer.BadParameter(f"{text!r} is no whole number from 0 on, such as 1000000 or 1e6")
-    return int(number)
+FORMS = ("gsd", "xyz", "parquet")
+EVENTS = "events.parquet"
 
 
 @reporting()
@@ -58,7 +41,7 @@ def gas(
     temperature: Annotated[float | None, typer.Option(metavar="KT", min=0.0, help="kT.  [default: 1]")] = None,
     seed: Annotated[int | None, typer.Option(metavar="S", min=0, help="All that is random follows from it.")] = None,
     collisions: Annotated[
-        int | None, typer.Option(parser=_count, metavar="N", help="End after N collisions, such as 1e6.")
+        int | None, typer.Option(parser=count, metavar="N", help="End after N collisions, such as 1e6.")
     ] = None,
     duration: options.Duration = None,
     observe: Annotated[
@@ -71,6 +54,24 @@ def gas(
         float | None, typer.Option(metavar="T", help="Time between samples.  [default: ten collisions of each disc]")
     ] = None,
     settings: options.Settings = None,
+    snapshots: Annotated[
+        str | None, typer.Option(metavar="FORM", help="Write snapshots into DIR while it runs, as gsd, xyz or parquet.")
+    ] = None,
+    snapshot_interval: Annotated[float | None, typer.Option(metavar="T", help="Time between snapshots.")] = None,
+    snapshot_collisions: Annotated[
+        int | None, typer.Option(parser=count, metavar="N", help="Collisions between snapshots, such as 1e5.")
+    ] = None,
+    snapshot_times: Annotated[
+        str | None, typer.Option(metavar="LIST", help="Times of snapshots, comma separated.")
+    ] = None,
+    events: Annotated[
+        tuple[float, float] | None,
+        typer.Option(metavar="T0 T1", help="Write all events from T0 to T1 into DIR while it runs, as Parquet."),
+    ] = None,
+    checkpoint_every: Annotated[
+        float | None,
+        typer.Option(metavar="SECONDS", min=0.0, help=f"Write a checkpoint into DIR so often.  [default: {EVERY:g}]"),
+    ] = None,
     out: options.Out = None,
     overwrite: options.Overwrite = False,
     formats: options.Formats = None,
@@ -80,40 +81,97 @@ def gas(
     """Measure a gas of hard discs: print numbers with their errors, and what theory expects.
 
     The gas is made from --n and --packing-fraction, or is a scenario of discs in a rectangle. With --out also write
-    observables.json (all numbers), a CSV file and a figure for each curve, and run.json. Ctrl-C ends the run, and what
-    was measured so far is printed and written.
+    observables.json (all numbers), a CSV file and a figure for each curve, run.json, and on the way checkpoint.carom,
+    from which carom resume goes on. Ctrl-C ends the run, and what was measured so far is printed and written.
     """
-    kinds = options.read_formats(formats)
+    kinds = [] if no_figures else options.read_formats(formats)
     names = [word.strip() for word in ",".join(observe or ["pressure"]).split(",")]
-    if out is not None:
-        check_free(out, _names(), overwrite=overwrite)
+    when = {"every_time": snapshot_interval, "every_collisions": snapshot_collisions, "at": _times(snapshot_times)}
+    files = _files(out, snapshots, when, events, checkpoint_every, overwrite=overwrite)
     recipe = {"n": n, "packing_fraction": packing_fraction, "periodic": periodic, "start": start}
     recipe |= {"temperature": temperature, "seed": seed}
-    chosen = _scenario(scenario, recipe, {"collisions": collisions, "duration": duration}, settings)
-    with _interruptible() as interrupted, _bar(chosen, collisions, duration) as told:
+    limits: dict[str, Any] = {
+        name: value for name, value in (("collisions", collisions), ("duration", duration)) if value is not None
+    }
+    chosen = _scenario(scenario, recipe, limits, settings)
+    ends = {**chosen.to_dict(), **limits}
+    with made(out), interruptible() as interrupted, bar(ends.get("collisions"), ends.get("duration")) as told:
         run = chosen.run(
-            collisions=collisions,
-            duration=duration,
+            **limits,
             record="none",
             observe=names,
             equilibrate=equilibrate,
             sample_interval=sample_interval,
             progress=lambda *now: told(*now) or interrupted(),
+            **files,
         )
-    files: list[str] = []
-    if out is not None and run.observables:
-        with filling(out, _names(), MARK) as folder:
-            files = _write(run, folder, [] if no_figures else kinds)
-    facts = {"status": run.status, "end_time": run.end_time, "digest": run.digest, "collisions": _collisions(run)}
-    facts |= {"out": None if out is None else str(out), "files": files}
-    if as_json:
-        print_json({**facts, "observables": run.observables.to_dict()})
-    else:
-        _print_tables(run.observables, facts)
-    if run.status == "interrupted":
-        if not run.observables:
-            say_error("gas", f"interrupted at t = {run.end_time:g}, before measuring began")
-        raise typer.Exit(INTERRUPTED)
+    written = [Path(file.path).name for file in files.values() if Path(file.path).exists()]
+    if out is not None and overwrite:
+        _remove_others(out, written)
+    finish(run, out, written, kinds, as_json=as_json)
+
+
+def _times(text: str | None) -> list[float] | None:
+    """Read times, comma separated."""
+    if text is None:
+        return None
+    try:
+        return [float(word) for word in text.split(",")]
+    except ValueError:
+        message = f"{text!r} are no times, such as 0,1.5,20"
+        raise typer.BadParameter(message, param_hint="--snapshot-times") from None
+
+
+def _files(
+    out: Path | None,
+    form: str | None,
+    when: dict[str, Any],
+    window: tuple[float, float] | None,
+    every: float | None,
+    *,
+    overwrite: bool,
+) -> dict[str, Any]:
+    """Say what the run writes into its folder while it goes on; refuse a folder that holds another."""
+    given = {"snapshots": form, "events": window, "checkpoint_every": every}
+    if out is None:
+        for name, value in given.items():
+            if value is not None:
+                raise typer.BadParameter("needs --out, the folder to write into", param_hint=_option(name))
+        return {}
+    if (out / CHECKPOINT).exists() and not overwrite:
+        advice = f"carom resume {out} goes on with it, --overwrite replaces it"
+        raise ScenarioError([("--out", f"{out} holds a run already; {advice}")])
+    check_free(out, [*result_names(), *_written_names()], overwrite=overwrite)
+    files: dict[str, Any] = {}
+    if form is not None:
+        if form not in FORMS:
+            raise typer.BadParameter(f"must be one of {', '.join(FORMS)}", param_hint="--snapshots")
+        if sum(value is not None for value in when.values()) != 1:
+            message = "needs one of --snapshot-interval, --snapshot-collisions and --snapshot-times"
+            raise typer.BadParameter(message, param_hint="--snapshots")
+        files["snapshots"] = Snapshots(out / f"snapshots.{form}", overwrite=overwrite, **when)
+    elif any(value is not None for value in when.values()):
+        raise typer.BadParameter("is missing, and it is said when they come", param_hint="--snapshots")
+    if window is not None:
+        files["events"] = EventStream(out / EVENTS, window, overwrite)
+    files["checkpoints"] = Checkpoints(out / CHECKPOINT, EVERY if every is None else every, overwrite)
+    return files
+
+
+def _written_names() -> list[str]:
+    """Give the names of all that a run may write into its folder while it goes on, but for folders."""
+    return [CHECKPOINT, *(f"snapshots.{form}" for form in FORMS if form != "parquet")]
+
+
+def _remove_others(out: Path, written: list[str]) -> None:
+    """Remove what another run, which was overwritten, had written on its way."""
+    from carom.records import cut_events, cut_frames
+
+    for name in (f"snapshots.{form}" for form in FORMS):
+        if name not in written:
+            cut_frames(out / name, 0)
+    if EVENTS not in written:
+        cut_events(out / EVENTS, 0)
 
 
 def _scenario(
@@ -130,118 +188,15 @@ def _scenario(
     for name in ("n", "packing_fraction"):
         if name not in given:
             raise typer.BadParameter("a new gas needs it", param_hint=_option(name))
-    if limits["collisions"] is None and limits["duration"] is None:
+    if not limits:
         raise typer.BadParameter("a new gas needs it, or --duration", param_hint="--collisions")
     if "periodic" in given:
         if given["periodic"] not in AXES:
             raise typer.BadParameter(f"must be one of {', '.join(AXES)}", param_hint="--periodic")
         given["periodic"] = AXES[given["periodic"]]
-    made: Scenario = carom.gas(**given, **{name: value for name, value in limits.items() if value is not None})
-    return made.with_values(dict(map(options.read_setting, settings))) if settings else made
+    gas: Scenario = carom.gas(**given, **limits)
+    return gas.with_values(dict(map(options.read_setting, settings))) if settings else gas
 
 
 def _option(name: str) -> str:
     return f"--{name.replace('_', '-')}"
-
-
-@contextmanager
-def _interruptible() -> Iterator[Callable[[], bool]]:
-    """Give a function that says whether Ctrl-C was pressed; a second one ends the command."""
-    pressed = threading.Event()
-    if threading.current_thread() is not threading.main_thread():
-        yield pressed.is_set
-        return
-
-    def press(_number: int, _frame: FrameType | None) -> None:
-        pressed.set()
-        signal.signal(signal.SIGINT, before)
-
-    before = signal.signal(signal.SIGINT, press)
-    try:
-        yield pressed.is_set
-    finally:
-        signal.signal(signal.SIGINT, before)
-
-
-@contextmanager
-def _bar(scenario: Scenario, collisions: int | None, duration: float | None) -> Iterator[Callable[..., None]]:
-    """Show on a terminal how far the run has come, at what speed, and how long it will take."""
-    if not sys.stderr.isatty():
-        yield lambda *_: None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
-
-    values = scenario.to_dict()
-    most = collisions if collisions is not None else values.get("collisions")
-    end = duration if duration is not None else values.get("duration")
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        TaskProgressColumn(),
-        TextColumn("{task.fields[speed]}"),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task("to equilibrium", total=1.0, speed="")
-        events = progress.get_time()
-
-        def tell(time: float, done: int, samples: int) -> None:
-            share = max(done / most if most else 0.0, time / end if end else 0.0)
-            rate = done / max(progress.get_time() - events, 1e-9)
-            words = f"{samples} samples" if samples else "to equilibrium"
-            progress.update(task, completed=share, description=words, speed=f"{rate:,.0f} events/s")
-
-        yield tell
-
-
-def _names() -> list[str]:
-    """Give the names of all files that this command may write into a folder."""
-    from carom import _engine
-    from carom.figures import FORMATS
-
-    kinds = ["csv", *(kind.removeprefix(".") for kind in FORMATS)]
-    return [MARK, QUANTITIES, *(f"{name}.{kind}" for name in _engine.OBSERVABLES for kind in kinds)]
-
-
-def _write(run: Run, folder: Path, kinds: list[str]) -> list[str]:
-    """Write the numbers, the curves, their figures and the run."""
-    written = [path.name for path in run.observables.save(folder)]
-    for name, observable in run.observables.items():
-        written += _write_figure(name, observable, folder, kinds)
-    run.save(folder / MARK)
-    return [*written, MARK]
-
-
-def _write_figure(name: str, observable: Observable, folder: Path, kinds: list[str]) -> list[str]:
-    if not kinds or not observable.has_figure:
-        return []
-    from carom.figures import figure_of, save_figure
-
-    figure = figure_of(observable.plot())
-    return [save_figure(figure, folder / f"{name}.{kind}").name for kind in kinds]
-
-
-def _collisions(run: Run) -> int:
-    events = run.diagnostics["events"]
-    return int(events.get("ball_ball", 0) + events.get("ball_cushion", 0))
-
-
-def _print_tables(observables: Observables, facts: dict[str, Any]) -> None:
-    rows = [(name, each) for name, found in observables.items() for each in found.quantities.values()]
-    if rows:
-        print_table(
-            {
-                "observable": [name for name, _ in rows],
-                "quantity": [each.name for _, each in rows],
-                "value": [each.value for _, each in rows],
-                "error": [each.error for _, each in rows],
-                "expected": [each.expected for _, each in rows],
-                "unit": [each.unit for _, each in rows],
-            },
-            small=("error",),
-        )
-        print()
-    shown = {**facts, "files": " ".join(facts["files"]) or None}
-    shown = {name: value for name, value in shown.items() if value is not None}
-    print_table({"run": list(shown), "value": list(shown.values())})

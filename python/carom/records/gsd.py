@@ -68,7 +68,7 @@ class GsdWriter(SnapshotWriter):
         room = sum(chunk.nbytes for chunk in chunks.values())
         if self._frames == 0:
             check_room(self.path.absolute(), room)
-            with replacing(self.path) as temporary, _opened(temporary, "x") as file:
+            with replacing(self.path, durable=True) as temporary, _opened(temporary, "x") as file:
                 self._write(file, chunks)
             self._first = {name: chunk for name, chunk in chunks.items() if name in CONSTANT}
             return

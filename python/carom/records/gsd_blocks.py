@@ -103,8 +103,11 @@ def check_room(path: Path, needed: int) -> None:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path))
 
 
-def recover_gsd(path: Path, to: Path) -> int:
-    """Copy a cut GSD file up to its last whole frame; give how many frames that are."""
+def recover_gsd(path: Path, to: Path, most: int | None = None) -> int:
+    """Copy a GSD file up to its last whole frame, of the first `most`; give how many frames that are.
+
+    Both may be the same path. The copy ends behind the last of what it holds.
+    """
     size = path.stat().st_size
     with path.open("rb") as file:
         header = np.frombuffer(file.read(HEADER.itemsize).ljust(HEADER.itemsize, b"\0"), HEADER).copy()
@@ -115,19 +118,29 @@ def recover_gsd(path: Path, to: Path) -> int:
         with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as held:
             said = int(header["index"][0]), int(header["entries"][0])
             places = [place for place in (said, *_indices(held)) if place[0] < size]
-            start, most = max(places, key=lambda place: len(_usable(held, *place)))
-            entries = _of_whole_frames(held, _usable(held, start, most), _counts(header[0], held))
+            start, room = max(places, key=lambda place: len(_usable(held, *place)))
+            entries = _of_whole_frames(held, _usable(held, start, room), _counts(header[0], held))
+            entries = entries if most is None else entries[entries["frame"] < most]
             frames = int(entries["frame"][-1]) + 1 if len(entries) else 0
     if frames == 0:
         raise RecordError([(str(path), "has no whole frame: nothing to recover")])
-    header["index"], header["entries"] = start, most
-    with replacing(to) as temporary:
+    header["index"], header["entries"] = start, room
+    with replacing(to, durable=True) as temporary:
         shutil.copyfile(path, temporary)
         with temporary.open("r+b") as file:
             file.write(header.tobytes())
-            file.seek(start)
-            file.write(entries.tobytes().ljust(most * ENTRY.itemsize, b"\0"))
+            # Older indices too: whoever looks for the best of them must not find frames that are gone.
+            for place, size in {*places, (start, room)}:
+                file.seek(place)
+                file.write(entries[:size].tobytes().ljust(size * ENTRY.itemsize, b"\0"))
+            file.truncate(max(start + room * ENTRY.itemsize, _end_of(header[0], entries)))
     return frames
+
+
+def _end_of(header: np.void, entries: NDArray[np.void]) -> int:
+    """Give where the last chunk ends, or the list of names if it lies behind."""
+    chunks = entries["place"] + entries["rows"] * entries["columns"] * BYTES[entries["kind"]]
+    return max(int(chunks.max()), int(header["names"] + header["name_blocks"] * NAME_BLOCK))
 
 
 def _indices(held: mmap.mmap) -> Iterator[tuple[int, int]]:

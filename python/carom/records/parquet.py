@@ -1,14 +1,13 @@
-"""Snapshots and events as Parquet, for pandas, Polars, DuckDB and everything that reads tables."""
+"""Snapshots as Parquet, for pandas, Polars, DuckDB and everything that reads tables."""
 
 from __future__ import annotations
 
-import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,13 +15,9 @@ from carom.errors import RecordError
 from carom.extras import needed
 from carom.files import replacing
 from carom.records.snapshot import Snapshot
-from carom.records.writing import SnapshotWriter, check_suffix
-
-if TYPE_CHECKING:
-    from carom.events import EventTable
+from carom.records.writing import SnapshotWriter
 
 SUFFIXES = (".parquet",)
-PART = re.compile(r"frame-(\d{9})\.parquet")
 CONSTANT = ("frame", "time", "events", "width", "height", "periodic_x", "periodic_y")
 COLUMNS = ("x", "y", "vx", "vy", "radius", "mass")
 
@@ -61,48 +56,15 @@ class ParquetWriter(SnapshotWriter):
             old = parts_of(self.path) if self.path.is_dir() else []
             self.path.mkdir(exist_ok=True)
         try:
-            with replacing(self.path / f"frame-{self._frames:09d}.parquet") as temporary:
+            with replacing(self.path / part_name(self._frames), durable=True) as temporary:
                 # Only what repeats itself is worth a dictionary.
-                _parquet().write_table(table, temporary, use_dictionary=[*CONSTANT])
+                parquet_library().write_table(table, temporary, use_dictionary=[*CONSTANT])
                 for part in reversed(old[1:]):
                     part.unlink()
         except BaseException:
             with suppress(OSError):  # of a first frame nothing stays, of others the folder is not empty
                 self.path.rmdir()
             raise
-
-
-def events_to_parquet(events: EventTable | Iterable[EventTable], path: str | os.PathLike[str]) -> None:
-    """Write events as one Parquet file, with the columns of `run.events` and all their bits.
-
-    The file is written under a temporary name and appears when it is complete; one that is there is replaced.
-    Needs carom[data].
-
-    Parameters
-    ----------
-    events : EventTable or iterable of EventTable
-        The events, or pieces of a long stream one after the other, each of which becomes a row group.
-    path : path-like
-        Where to, ending in ``.parquet``.
-
-    Raises
-    ------
-    RecordError
-        If the suffix is another, or there is no piece at all.
-    """
-    from carom.events import EventTable
-
-    check_suffix(Path(path), SUFFIXES)
-    pieces = iter([events] if isinstance(events, EventTable) else events)
-    first = next(pieces, None)
-    if first is None:
-        raise RecordError([(str(path), "there is no piece of the stream to write, not even an empty one")])
-    writer = _parquet()
-    table = first.to_arrow()
-    with replacing(path) as temporary, writer.ParquetWriter(temporary, table.schema) as file:
-        file.write_table(table)
-        for piece in pieces:
-            file.write_table(piece.to_arrow())
 
 
 class ParquetFile:
@@ -115,7 +77,7 @@ class ParquetFile:
     """
 
     def __init__(self, path: Path) -> None:
-        self.path, self._library = path, _parquet()
+        self.path, self._library = path, parquet_library()
         if not path.exists():
             raise RecordError([(str(path), "no such file")])
         self._parts = parts_of(path) if path.is_dir() else []
@@ -167,13 +129,19 @@ def _read_by_arrow(place: str) -> Iterator[None]:
         raise RecordError([(place, f"cannot be read, it is cut short or no Parquet: {said}")]) from None
 
 
-def parts_of(folder: Path) -> list[Path]:
-    """Give the files of a folder's frames, in order; a gap among them is an error."""
-    found = sorted(path for path in folder.iterdir() if PART.fullmatch(path.name))
+def parts_of(folder: Path, word: str = "frame") -> list[Path]:
+    """Give the files of a folder's frames, or of other parts, in order; a gap among them is an error."""
+    name = re.compile(rf"{word}-\d{{9}}\.parquet")
+    found = sorted(path for path in folder.iterdir() if name.fullmatch(path.name))
     for number, path in enumerate(found):
-        if int(path.name[6:15]) != number:
-            raise RecordError([(f"{folder}, frame {number}", "is missing, and later ones are there")])
+        if path.name != part_name(number, word):
+            raise RecordError([(f"{folder}, {word} {number}", "is missing, and later ones are there")])
     return found
+
+
+def part_name(number: int, word: str = "frame") -> str:
+    """Give the name of a file in a folder of parts."""
+    return f"{word}-{number:09d}.parquet"
 
 
 def _table(snapshot: Snapshot, frame: int) -> Any:
@@ -219,6 +187,7 @@ def _numbers(table: Any, name: str) -> Any:
     return column.to_numpy()
 
 
-def _parquet() -> Any:
+def parquet_library() -> Any:
+    """Give pyarrow's part for Parquet, which carom[data] brings."""
     needed("pyarrow", "data")
     return import_module("pyarrow.parquet")

@@ -64,8 +64,7 @@ class SnapshotWriter(ABC):
         except RecordError as error:
             raise RecordError([(f"{place}, {where}", what) for where, what in error.problems]) from None
         except OSError as error:
-            reason = "the disk is full" if error.errno == errno.ENOSPC else error.strerror or str(error)
-            raise RecordError([(place, f"not written, {reason}; {self._kept()}")]) from error
+            raise RecordError([(place, f"not written, {reason_of(error)}; {self._kept()}")]) from error
         self._frames += 1
 
     def _kept(self) -> str:
@@ -86,3 +85,8 @@ def check_suffix(path: Path, suffixes: tuple[str, ...]) -> None:
     """Refuse a path with another suffix."""
     if path.suffix.lower() not in suffixes:
         raise RecordError([(str(path), f"must end in {' or '.join(suffixes)}")])
+
+
+def reason_of(error: OSError) -> str:
+    """Say in words why something could not be written."""
+    return "the disk is full" if error.errno == errno.ENOSPC else error.strerror or str(error)

@@ -79,7 +79,7 @@ class ExtendedXyzWriter(SnapshotWriter):
 
     def _append(self, snapshot: Snapshot) -> None:
         if self._frames == 0:
-            with replacing(self.path) as temporary, temporary.open("wb") as file:
+            with replacing(self.path, durable=True) as temporary, temporary.open("wb") as file:
                 self._write(file, snapshot)
             return
         with self.path.open("r+b", buffering=0) as file:
@@ -164,11 +164,11 @@ def frame_places(file: BinaryIO, path: Path) -> Iterator[tuple[int, int]]:
         number += 1
 
 
-def whole_frames(file: BinaryIO, path: Path) -> tuple[int, int]:
-    """Give how many frames a file has before the first that is cut short or none, and where they end."""
+def whole_frames(file: BinaryIO, path: Path, most: int | None = None) -> tuple[int, int]:
+    """Give how many whole frames a file begins with, `most` at most, and where they end."""
     count = end = 0
     with suppress(RecordError):
-        for _ in frame_places(file, path):
+        for _ in islice(frame_places(file, path), most):
             count, end = count + 1, file.tell()
     return count, end
 

@@ -193,6 +193,25 @@ impl<S: Scalar, E: Engine<S>> Simulation<S, E> {
         Ok(true)
     }
 
+    /// The same, but no further than a step after which it is enough: so where that is does not depend on the steps.
+    pub fn advance_while(
+        &mut self,
+        is_missing: impl Fn(&Diagnostics) -> bool,
+        time: S,
+        steps: u64,
+        observer: &mut impl Observer<S, E::Dynamics>,
+    ) -> Result<bool, SimulationError> {
+        for _ in 0..steps {
+            if !is_missing(self.engine.diagnostics()) {
+                return Ok(true);
+            }
+            if !self.advance_until(time, 1, observer)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
     /// Makes the events before `time` happen, but none at that very time, and ends the run there.
     pub fn stop_at(
         &mut self,

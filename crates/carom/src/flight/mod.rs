@@ -11,6 +11,7 @@ pub use sphere::{Motion, SphereFlight, SphereState};
 
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;
+use serde::{Deserialize, Serialize};
 
 /// A disc's position and velocity at some moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +23,7 @@ pub struct State<S> {
 }
 
 /// A disc's closed-form motion since its own last event. Nothing but an event of that disc replaces it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Flight<S> {
     /// The time at which the flight begins.
     pub start: S,

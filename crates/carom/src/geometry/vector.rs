@@ -3,6 +3,7 @@
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
+use serde::{Deserialize, Serialize};
 
 /// A vector in the plane or in space, for what does not depend on which.
 pub trait Vector<S: Scalar>:
@@ -31,7 +32,7 @@ pub trait Vector<S: Scalar>:
 }
 
 /// A vector in the plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Vec2<S> {
     /// Component across the table.
     pub x: S,

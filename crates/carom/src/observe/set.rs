@@ -47,6 +47,11 @@ impl Observables {
         Ok(Self { all, events: EventSums::default(), course: None })
     }
 
+    /// Whether nothing is observed.
+    pub fn is_empty(&self) -> bool {
+        self.all.is_empty()
+    }
+
     /// Whether any of them lives on events; if not, the run need not be watched.
     pub fn needs_events(&self) -> bool {
         self.all.iter().any(Observable::needs_events)

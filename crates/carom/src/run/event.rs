@@ -106,7 +106,7 @@ impl Kind {
 }
 
 /// A row of the event log.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Event<S> {
     /// When.
     pub time: S,

@@ -8,11 +8,12 @@ use super::observer::Log;
 use super::status::Status;
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;
+use serde::{Deserialize, Serialize};
 use std::sync::{Arc, OnceLock};
 use thiserror::Error;
 
 /// What a ball carries from event to event beside its flight.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Track<S> {
     /// Changes of course so far, of which a contact in a cluster may make two; after 2³² of them counted anew.
     pub changes: u32,

@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod block_errors;
+mod checkpoints;
 mod crystals;
 mod fluids;
 mod gases;

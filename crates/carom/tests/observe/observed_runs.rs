@@ -28,7 +28,7 @@ fn scenario(recipe: &Recipe, more: &Value) -> Scenario {
     Scenario::from_json(&values.to_string()).unwrap()
 }
 
-fn gas(count: usize, packing_fraction: f64, more: &Value) -> Scenario {
+pub fn gas(count: usize, packing_fraction: f64, more: &Value) -> Scenario {
     let start = Arrangement::Square;
     scenario(&Recipe { seed: 3, start, ..Recipe::new(count, packing_fraction) }, more)
 }
@@ -48,8 +48,8 @@ fn observe_until(
     interrupted: &mut dyn FnMut(&Progress) -> bool,
 ) -> Result<(Run<f64>, Vec<Results>), ObservedError> {
     let requests: Vec<Request> = names.iter().map(|name| Request::new(name)).collect();
-    let mut observables = Observables::new(&requests).unwrap();
-    let run = simulate_observed(scenario, None, &mut observables, sampling, interrupted)?;
+    let observables = Observables::new(&requests).unwrap();
+    let (run, observables) = simulate_observed(scenario, None, observables, sampling, interrupted)?;
     Ok((run, observables.results()))
 }
 
@@ -114,9 +114,10 @@ fn compressibility_of_a_periodic_gas_is_that_of_kolafa_and_rottner() {
 #[test]
 fn samples_come_at_the_interval_that_was_given_after_the_collisions_left_out() {
     let scenario = gas(100, 0.4, &json!({ "collisions": 10_000 }));
-    let mut observables = Observables::new(&[Request::new("h_function").with("points", 10_000)]).unwrap();
+    let observables = Observables::new(&[Request::new("h_function").with("points", 10_000)]).unwrap();
     let sampling = Sampling { equilibrate: 40.0, interval: Some(0.25) };
-    let run = simulate_observed(&scenario, None, &mut observables, &sampling, &mut |_| false).unwrap();
+    let (run, observables) =
+        simulate_observed(&scenario, None, observables, &sampling, &mut |_| false).unwrap();
     let results = observables.results();
     let times = results[0].column("over_time", "time").unwrap();
     // 40 collisions of each of 100 discs are 2000.
@@ -131,9 +132,10 @@ fn samples_come_at_the_interval_that_was_given_after_the_collisions_left_out() {
 fn an_interval_that_is_not_given_takes_ten_collisions_of_each_disc() {
     let scenario = gas(100, 0.4, &json!({ "collisions": 20_500 }));
     for equilibrate in [0.0, 100.0] {
-        let mut observables = Observables::new(&[Request::new("pressure")]).unwrap();
+        let observables = Observables::new(&[Request::new("pressure")]).unwrap();
         let sampling = Sampling { equilibrate, interval: None };
-        simulate_observed(&scenario, None, &mut observables, &sampling, &mut |_| false).unwrap();
+        let (_, observables) =
+            simulate_observed(&scenario, None, observables, &sampling, &mut |_| false).unwrap();
         let intervals = (observables.samples() - 1) as f64;
         // 500 collisions to an interval: the rate of the first differs by some per cent from that of all.
         let expected = (20_500.0 - 50.0 * equilibrate) / 500.0;
@@ -144,9 +146,10 @@ fn an_interval_that_is_not_given_takes_ten_collisions_of_each_disc() {
 #[test]
 fn a_sample_at_the_very_end_counts() {
     let scenario = gas(30, 0.2, &json!({ "duration": 5.0 }));
-    let mut observables = Observables::new(&[Request::new("pressure")]).unwrap();
+    let observables = Observables::new(&[Request::new("pressure")]).unwrap();
     let sampling = Sampling { equilibrate: 0.0, interval: Some(0.5) };
-    simulate_observed(&scenario, None, &mut observables, &sampling, &mut |_| false).unwrap();
+    let (_, observables) =
+        simulate_observed(&scenario, None, observables, &sampling, &mut |_| false).unwrap();
     assert_eq!(observables.samples(), 11);
 }
 
