@@ -55,6 +55,9 @@ def gas(
         str | None, typer.Option(metavar="AXES", help="Periodic axes: xy, x, y or none.  [default: xy]")
     ] = None,
     start: Annotated[str | None, typer.Option(metavar="WORD", help="How discs are placed at the start.")] = None,
+    velocities: Annotated[
+        str | None, typer.Option(metavar="WORD", help="How velocities are drawn: maxwell or equal_speed.")
+    ] = None,
     temperature: Annotated[float | None, typer.Option(metavar="KT", min=0.0, help="kT.  [default: 1]")] = None,
     seed: Annotated[int | None, typer.Option(metavar="S", min=0, help="All that is random follows from it.")] = None,
     collisions: Annotated[
@@ -88,7 +91,7 @@ def gas(
     if out is not None:
         check_free(out, _names(), overwrite=overwrite)
     recipe = {"n": n, "packing_fraction": packing_fraction, "periodic": periodic, "start": start}
-    recipe |= {"temperature": temperature, "seed": seed}
+    recipe |= {"velocities": velocities, "temperature": temperature, "seed": seed}
     chosen = _scenario(scenario, recipe, {"collisions": collisions, "duration": duration}, settings)
     with _interruptible() as interrupted, _bar(chosen, collisions, duration) as told:
         run = chosen.run(

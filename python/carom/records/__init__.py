@@ -6,7 +6,7 @@ whole, and a frame that cannot be written leaves the earlier ones as they were.
 
 from carom.records.gsd import GsdWriter
 from carom.records.parquet import ParquetWriter, events_to_parquet
-from carom.records.reading import content_hash, frames, read_snapshot, recover
+from carom.records.reading import content_hash, frame_count, frames, read_snapshot, recover
 from carom.records.snapshot import Snapshot
 from carom.records.xyz import ExtendedXyzWriter
 
@@ -17,6 +17,7 @@ __all__ = [
     "Snapshot",
     "content_hash",
     "events_to_parquet",
+    "frame_count",
     "frames",
     "read_snapshot",
     "recover",
