@@ -109,7 +109,7 @@ def _draw_velocities(ax: Axes, scene: Scene, places: NDArray[np.float64], veloci
     if not 0 < np.count_nonzero(moving) <= MOST_ARROWS:
         return
     radii, velocities, speeds = shown_radii(scene)[moving], velocities[moving], speeds[moving]
-    rims = places[moving] + radii[:, None] * velocities / speeds[:, None]
+    rims = scene.repeats.wrapped(places[moving] + radii[:, None] * velocities / speeds[:, None])
     apart = scene.size / np.sqrt(len(places)) / float(speeds.max())
     scale = arrow_scale(scene, [(rims, velocities)], apart)
     for rim, velocity in zip(rims, velocities, strict=True):
