@@ -171,7 +171,7 @@ def same_output(shown: str, given: str) -> bool:
 
 
 def _try_scenario(block: Block, values: Mapping[str, Any]) -> None:
-    is_whole = {"table", "balls"} <= values.keys() or "gas" in values
+    is_whole = {"table", "balls"} <= values.keys() or bool({"gas", "balls_from"} & values.keys())
     whole = values if is_whole else laid_over(carom.load("midterm").to_dict(), values)
     try:
         carom.Scenario.from_dict(whole).run(max_events=MOST_EVENTS, record="none")

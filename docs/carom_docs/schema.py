@@ -26,8 +26,9 @@ def load() -> dict[str, Any]:
 
 def sections() -> dict[str, list[str]]:
     """Give the name of each section of the reference, with the keys that its example has to show."""
-    # A gas stands in place of the table and the balls that the example of the whole has.
-    found = {"scenario": [key for key in _asked(load()) if key != "gas"]}
+    # A gas, or a file, stands in place of the table and the balls that the example of the whole has.
+    instead = {"gas", "balls_from", "balls_source"}
+    found = {"scenario": [key for key in _asked(load()) if key not in instead]}
     for name, definition in _definitions().items():
         if words_of(definition) or "properties" not in {*definition, *_first(variants_of(definition))}:
             found[kebab(name)] = []

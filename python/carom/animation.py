@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from PIL.Image import Image
     from PIL.ImageFont import FreeTypeFont
 
+    from carom.figures.repeats import Repeats
     from carom.figures.scene import Scene
     from carom.run import Run
 
@@ -155,8 +156,10 @@ class _Film:
     ----------
     background : Image
         The table.
+    repeats : Repeats
+        The table's box, and along which axes it repeats itself.
     discs : (n_frames, n_balls, 2) float64
-        Centres.
+        Centres, in the box.
     radii : (n_balls,) float64
         Radii.
     trails : (n_samples, n_balls, 2) float64
@@ -169,6 +172,7 @@ class _Film:
 
     background: Image
     scene: Scene
+    repeats: Repeats
     times: NDArray[np.float64]
     discs: NDArray[np.float64]
     radii: NDArray[np.float64]
@@ -185,6 +189,7 @@ class _Film:
         """Prepare the film of a run: one evaluation of the run, one drawing of the table."""
         from PIL import ImageFont
 
+        from carom.figures.repeats import Repeats
         from carom.figures.scene import Scene
         from carom.figures.style import font_file
         from carom.figures.turning import turned
@@ -196,12 +201,16 @@ class _Film:
         point = 0.009 * scene.size
         reach = np.stack([np.where(scene.radii > 0, scene.radii, point), np.zeros(len(scene.ids))], axis=-1)
         radii = (to_pixels(reach) - origin)[:, 0]
+        # Pixels are counted from the top, so the upper left corner is the first.
+        low, high = to_pixels(np.array([[scene.bounds[0], scene.bounds[3]], [scene.bounds[2], scene.bounds[1]]]))
+        repeats = Repeats(low, high - low, scene.repeats.axes)
         step = float(times[1] - times[0]) if len(times) > 1 else 0.1
         return cls(
             background=background,
             scene=scene,
+            repeats=repeats,
             times=times,
-            discs=to_pixels(places[..., :2]),
+            discs=repeats.wrapped(to_pixels(places[..., :2])),
             radii=radii,
             trails=to_pixels(run.positions(fine)[..., :2]),
             trail_times=fine,
@@ -230,6 +239,7 @@ class _Film:
         draw = ImageDraw.Draw(picture)
         self._draw_trails(draw, float(self.times[index]))
         self._draw_balls(picture, draw, index)
+        self._clear_outside(picture)
         unit = self.scene.unit("time")
         words = f"t = {self.times[index]:.{self.digits}f}" + (f" {unit}" if unit else "")
         draw.text((12 * OVERSAMPLING, 5 * OVERSAMPLING), words, font=self.font, fill="#22292f")
@@ -238,7 +248,9 @@ class _Film:
     def _draw_balls(self, picture: Image, draw: Any, index: int) -> None:
         """Draw discs, or balls on a cloth with their marks; those out of play beside the time, as they are named."""
         gone = 0
-        for ball, (place, radius) in enumerate(zip(self.discs[index], self.radii.tolist(), strict=True)):
+        places, which = self.repeats.copies(self.discs[index], self.radii)
+        for place, ball in zip(places, which.tolist(), strict=True):
+            radius = float(self.radii[ball])
             if self.lifts is not None and self.lifts[index, ball] > 0.1 * radius:
                 x, y = (place + SHADOW * self.lifts[index, ball]).tolist()
                 draw.ellipse((x - radius, y - radius, x + radius, y + radius), fill=SHADE)
@@ -277,8 +289,17 @@ class _Film:
             places = self.trails[first:last, ball]
             for shade in np.unique(shades[np.any(np.diff(places, axis=0) != 0, axis=1)])[::-1]:
                 part = np.flatnonzero(shades == shade)
-                points = places[part[0] : part[-1] + 2]
-                draw.line(points.ravel().tolist(), fill=colours[shade], width=2 * OVERSAMPLING, joint="curve")
+                for points in _pieces(self.repeats.broken(places[part[0] : part[-1] + 2])):
+                    draw.line(points.ravel().tolist(), fill=colours[shade], width=2 * OVERSAMPLING, joint="curve")
+
+    def _clear_outside(self, picture: Image) -> None:
+        """Take away what discs show beyond sides at which the table repeats itself."""
+        ends = np.rint(np.stack([self.repeats.low, self.repeats.low + self.repeats.size])).astype(int)
+        for axis in np.flatnonzero(self.repeats.axes):
+            for first, last in ((0, ends[0, axis]), (ends[1, axis], picture.size[axis])):
+                start, end = int(first), int(last)
+                box = (start, 0, end, picture.height) if axis == 0 else (0, start, picture.width, end)
+                picture.paste(self.background.crop(box), box[:2])
 
     def palette(self) -> _Palette:
         """Choose the colours of a GIF from a few frames that are spread over the film."""
@@ -370,6 +391,12 @@ def _trail_times(run: Run, times: NDArray[np.float64]) -> NDArray[np.float64]:
     fine = np.interp(np.arange(0, len(times) - 1 + 1e-9, 1 / SAMPLES_PER_FRAME), np.arange(len(times)), times)
     events = np.asarray(run.events["time"], dtype=float)
     return np.unique(np.concatenate([times, fine, events if len(events) < 20 * len(times) else []]))
+
+
+def _pieces(path: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Give the parts of a path (n, 2) between rows of NaN."""
+    gaps = np.flatnonzero(np.isnan(path[:, 0]))
+    return [part[np.isfinite(part[:, 0])] for part in np.split(path, gaps)]
 
 
 def _faded(colours: Sequence[tuple[float, float, float]]) -> list[list[tuple[int, int, int]]]:

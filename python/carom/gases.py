@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 GasStart = Literal["automatic", "square", "hexagonal", "random", "compressed"]
 """Where the discs of a gas start."""
+GasVelocities = Literal["maxwell", "equal_speed"]
+"""How the velocities of a gas are drawn."""
 
 
 def gas(
@@ -24,6 +26,7 @@ def gas(
     periodic: Sequence[Axis] | None = None,
     aspect: float | None = None,
     start: GasStart | None = None,
+    velocities: GasVelocities | None = None,
     temperature: float | None = None,
     seed: int | None = None,
     species: Sequence[Mapping[str, Any]] | None = None,
@@ -51,8 +54,11 @@ def gas(
     start : str, optional
         ``square``, ``hexagonal``, ``random``, ``compressed`` or ``automatic``, which takes what suits the density;
         absent: automatic.
+    velocities : str, optional
+        ``maxwell``, as in equilibrium, or ``equal_speed``: all discs equally fast, in random directions whose
+        momenta sum to zero; absent: maxwell.
     temperature : float, optional
-        kT of the velocities, which are Maxwell's; absent: 1.
+        kT of the velocities; absent: 1.
     seed : int, optional
         What all that is random is drawn from; absent: 0.
     species : sequence of mappings, optional
@@ -100,6 +106,7 @@ def gas(
         "periodic": None if periodic is None else list(periodic),
         "aspect": aspect,
         "start": start,
+        "velocities": velocities,
         "temperature": temperature,
         "seed": seed,
         "sizes": sizes if species is None else {"species": species},

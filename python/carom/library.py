@@ -55,6 +55,11 @@ def text_of(source: str | os.PathLike[str]) -> tuple[str, str]:
     return _read(path), format_of(path)
 
 
+def folder_of(source: str | os.PathLike[str]) -> Path | None:
+    """Give the folder that paths in a scenario's file are relative to; a ready-made one has none."""
+    return None if isinstance(source, str) and not _is_path(source) else Path(source).parent
+
+
 def format_of(path: Path) -> str:
     """Give the scenario format that the suffix of `path` stands for."""
     suffix = path.suffix.lower()

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from carom import _engine, library
 from carom import arrays as np
 from carom.ball import Ball
+from carom.balls_from import parse
 from carom.encoding import plain, to_json
 from carom.errors import ScenarioError
 from carom.files import write_text
@@ -100,7 +101,7 @@ class Scenario:
         keys |= {"duration": duration, **more}
         given = {name: value for name, value in keys.items() if value is not None}
         check_counts(given)
-        self._native = _engine.Scenario.parse(to_json(given), "json")
+        self._native = parse(to_json(given), "json")
 
     @classmethod
     def _of(cls, native: _engine.Scenario) -> Scenario:
@@ -111,9 +112,14 @@ class Scenario:
     @classmethod
     def load(cls, source: str | os.PathLike[str]) -> Scenario:
         """Load a ready-made scenario by name, or a file by path; see `carom.load`."""
+        return cls._load(source, {})
+
+    @classmethod
+    def _load(cls, source: str | os.PathLike[str], values: Mapping[str, Any]) -> Scenario:
+        """Load a scenario with some values changed before a file of balls is read."""
         text, form = library.text_of(source)
         try:
-            return cls._of(_engine.Scenario.parse(text, form))
+            return cls._of(parse(text, form, library.folder_of(source), values))
         except ScenarioError as error:
             if {"physics_version", "digest"} <= {place for place, _ in error.problems}:
                 raise ScenarioError(f"{source}: a saved run, not a scenario; load_run and verify take it") from None
@@ -121,13 +127,13 @@ class Scenario:
 
     @classmethod
     def from_toml(cls, text: str) -> Scenario:
-        """Read a scenario from TOML text."""
-        return cls._of(_engine.Scenario.parse(text, "toml"))
+        """Read a scenario from TOML text; the path of a file of balls is relative to the working folder."""
+        return cls._of(parse(text, "toml"))
 
     @classmethod
     def from_json(cls, text: str) -> Scenario:
-        """Read a scenario from JSON text."""
-        return cls._of(_engine.Scenario.parse(text.removeprefix("\ufeff"), "json"))
+        """Read a scenario from JSON text; the path of a file of balls is relative to the working folder."""
+        return cls._of(parse(text.removeprefix("\ufeff"), "json"))
 
     @classmethod
     def from_dict(cls, values: Mapping[str, Any]) -> Scenario:

@@ -1,6 +1,7 @@
 //! The Python binding: conversions, and nothing else.
 
 mod aim;
+mod balls_from;
 mod bundled;
 mod columns;
 mod errors;

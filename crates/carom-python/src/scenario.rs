@@ -1,5 +1,6 @@
 //! Scenarios.
 
+use crate::balls_from;
 use crate::errors::{problem, scenario_error, simulation_error};
 use crate::interrupt::interruptible;
 use crate::outline::outline;
@@ -38,16 +39,17 @@ pub fn schema() -> String {
 
 #[pymethods]
 impl Scenario {
-    /// Reads a scenario; the format is "toml" or "json".
+    /// Reads a scenario; the format is "toml" or "json". What reads a file of balls is called with the keys of `balls_from`,
+    /// after the values of a JSON object are put in.
     #[staticmethod]
-    fn parse(text: &str, format: &str) -> PyResult<Self> {
-        match format {
-            "toml" => scenario::Scenario::from_toml(text),
-            "json" => scenario::Scenario::from_json(text),
-            _ => return Err(PyValueError::new_err(format!("unknown format {format:?}"))),
-        }
-        .map(Self)
-        .map_err(scenario_error)
+    #[pyo3(signature = (text, format, read_balls=None, values_json="{}"))]
+    fn parse(
+        text: &str,
+        format: &str,
+        read_balls: Option<&Bound<'_, PyAny>>,
+        values_json: &str,
+    ) -> PyResult<Self> {
+        balls_from::parse(text, format, read_balls, values_json).map(Self)
     }
 
     /// The scenario as JSON text.
@@ -156,7 +158,7 @@ fn kind(word: &Value) -> PyResult<Kind> {
 }
 
 /// The keys and values of a JSON object, in order.
-fn entries(text: &str) -> PyResult<Values> {
+pub fn entries(text: &str) -> PyResult<Values> {
     let object: Map<String, Value> =
         serde_json::from_str(text).map_err(|error| PyValueError::new_err(error.to_string()))?;
     Ok(object.into_iter().collect())

@@ -38,6 +38,9 @@ def gas(
         str | None, typer.Option(metavar="AXES", help="Periodic axes: xy, x, y or none.  [default: xy]")
     ] = None,
     start: Annotated[str | None, typer.Option(metavar="WORD", help="How discs are placed at the start.")] = None,
+    velocities: Annotated[
+        str | None, typer.Option(metavar="WORD", help="How velocities are drawn: maxwell or equal_speed.")
+    ] = None,
     temperature: Annotated[float | None, typer.Option(metavar="KT", min=0.0, help="kT.  [default: 1]")] = None,
     seed: Annotated[int | None, typer.Option(metavar="S", min=0, help="All that is random follows from it.")] = None,
     collisions: Annotated[
@@ -89,7 +92,7 @@ def gas(
     when = {"every_time": snapshot_interval, "every_collisions": snapshot_collisions, "at": _times(snapshot_times)}
     files = _files(out, snapshots, when, events, checkpoint_every, overwrite=overwrite)
     recipe = {"n": n, "packing_fraction": packing_fraction, "periodic": periodic, "start": start}
-    recipe |= {"temperature": temperature, "seed": seed}
+    recipe |= {"velocities": velocities, "temperature": temperature, "seed": seed}
     limits: dict[str, Any] = {
         name: value for name, value in (("collisions", collisions), ("duration", duration)) if value is not None
     }

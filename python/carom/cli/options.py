@@ -44,10 +44,13 @@ Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 def load_with(source: str, settings: list[str] | None) -> Scenario:
     """Load a scenario and change the values that ``--set`` names."""
-    import carom
+    from carom.scenario import Scenario
 
-    scenario = carom.load(source)
-    return scenario.with_values(dict(map(read_setting, settings))) if settings else scenario
+    values = dict(map(read_setting, settings or []))
+    before = {path: value for path, value in values.items() if path.startswith("balls_from.")}
+    after = {path: value for path, value in values.items() if path not in before}
+    scenario = Scenario._load(source, before)
+    return scenario.with_values(after) if after else scenario
 
 
 def is_saved_run(source: str) -> bool:

@@ -37,7 +37,7 @@ def close_to(run: Run, scene: Scene, event: Event, frames: int) -> tuple[Scene, 
     radius = float(shown_radii(scene)[chosen].max())
     near = _square(scene, np.stack([centre, centre]), LEAST * radius)
     times = frame_times(run, near, event, frames)
-    places = run.positions(times)[:, chosen, :2].reshape(-1, 2)
+    places = scene.repeats.nearest(run.positions(times)[:, chosen, :2].reshape(-1, 2), centre)
     places = np.concatenate([places, _pack(run, scene, event, chosen), [centre]])
     places = places[np.isfinite(places[:, 0])]
     ends = np.stack([places.min(axis=0), places.max(axis=0)])
@@ -48,7 +48,7 @@ def close_to(run: Run, scene: Scene, event: Event, frames: int) -> tuple[Scene, 
 
 def _pack(run: Run, scene: Scene, event: Event, chosen: list[int]) -> NDArray[np.float64]:
     """Give the places (n, 2) of all balls that lie close to those of an event, from neighbour to neighbour."""
-    places = run.positions([event.time])[0, :, :2]
+    places = scene.repeats.nearest(run.positions([event.time])[0, :, :2], np.array(event.position))
     radii = scene.radii
     gaps = np.linalg.norm(places[:, None] - places, axis=-1) - radii[:, None] - radii
     close = gaps <= PACKED * np.minimum(radii[:, None], radii)  # never for balls out of play, whose gaps are NaN

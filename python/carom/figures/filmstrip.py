@@ -38,6 +38,7 @@ PAGE_HEIGHT = 8.4
 LEFT, RIGHT, GAP, BELOW, TITLE, NARROW, LEAST = 0.5, 0.1, 0.16, 0.36, 0.3, 1.8, 1.0  # inches
 LABEL_GAP, LABEL_ROOM = 6.5, 11.0  # points
 LEAST_ARROW = 0.1  # points
+MOST_WHOLE = 100  # balls
 MOMENTS = {"ball_ball": "collision", "ball_cushion": "cushion", "cue_ball": "strike", "ball_cloth": "landing"}
 MOMENTS |= {"ball_pocket": "pocketed"}
 
@@ -51,6 +52,8 @@ class Strip:
     event: Event
     times: NDArray[np.float64]
     arrow: float
+    small: bool
+    """Whether balls are small beside the table, as on a cloth."""
 
     @property
     def middle(self) -> int:
@@ -96,7 +99,7 @@ def filmstrip(
         Draw the normal n and the tangent t of the contact in its frame.
     closeup : bool, optional
         Show the balls of the event and their neighbourhood in place of the whole table. If not given: on a cloth, whose
-        balls are small.
+        balls are small, and among more than a hundred balls.
 
     Returns
     -------
@@ -116,11 +119,12 @@ def filmstrip(
         raise TypeError(f"around: must be one event, such as run.events[0], got {around!r}")
     scene = Scene.of_run(run)
     event = default_event(run, scene) if around is None else around
-    if scene.on_cloth if closeup is None else closeup:
+    small = _has_small_balls(scene)
+    if small if closeup is None else closeup:
         scene, times = close_to(run, scene, event, frames)
     else:
         times = frame_times(run, scene, event, frames)
-    strip = Strip(run, scene, event, times, _arrow_scale(run, scene, times, event) if arrows else 0.0)
+    strip = Strip(run, scene, event, times, _arrow_scale(run, scene, times, event) if arrows else 0.0, small)
     chosen = _new_axes(scene, frames) if axes is None else list(axes)
     if len(chosen) != frames:
         raise ValueError(f"needs one axes for each of {frames} frames, got {len(chosen)}")
@@ -181,12 +185,19 @@ def _note_scale(ax: Axes, strip: Strip) -> None:
 
 
 def _arrow_scale(run: Run, scene: Scene, times: NDArray[np.float64], event: Event) -> float:
-    """Choose how long an arrow is for a velocity of one; on a cloth by the event's own balls, else by all."""
-    chosen = [scene.ids.index(ball) for ball in event.balls] if scene.on_cloth else slice(None)
-    states = zip(*(each[:, chosen, :2] for each in run.states(times)), strict=True)
+    """Choose how long an arrow is for a velocity of one; of small balls by the event's own, else by all."""
+    small = _has_small_balls(scene)
+    chosen = [scene.ids.index(ball) for ball in event.balls] if small else slice(None)
+    positions, velocities = (each[:, chosen, :2] for each in run.states(times))
+    states = zip(scene.repeats.wrapped(positions), velocities, strict=True)
     shown = [(x[seen], v[seen]) for x, v in states for seen in [_is_shown(scene, x)]]
     spacing = float(times[-1] - times[0]) / (len(times) - 1)
     return arrow_scale(scene, shown, spacing)
+
+
+def _has_small_balls(scene: Scene) -> bool:
+    """Tell whether an event is looked at from near, and arrows are scaled for its own balls."""
+    return scene.on_cloth or len(scene.ids) > MOST_WHOLE
 
 
 def _is_shown(scene: Scene, positions: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -200,7 +211,7 @@ def _draw_frame(ax: Axes, strip: Strip, frame: int) -> None:
     time = float(strip.times[frame])
     draw_table(ax, strip.scene)
     _draw_ghost_paths(ax, strip, time)
-    positions = strip.run.positions([time])[0, :, :2]
+    positions = strip.scene.repeats.wrapped(strip.run.positions([time])[0, :, :2])
     moving = _moving(ax, strip, frame, positions)
     draw_balls(ax, strip.scene, positions)
     if strip.scene.on_cloth:
@@ -212,7 +223,7 @@ def _draw_frame(ax: Axes, strip: Strip, frame: int) -> None:
     for ball in np.flatnonzero(moving):
         arrow = draw_arrow(ax, positions[ball], positions[ball] + strip.arrow * velocities[ball])
         # A close-up is scaled for the balls of its event; the arrows of others may leave the picture.
-        arrow.set_clip_on(strip.scene.on_cloth and ball not in strip.participants)
+        arrow.set_clip_on(strip.small and ball not in strip.participants)
     ax.set_title(_title(ax, strip, frame), fontsize=style.TITLE_SIZE - 1, color=style.INK, pad=4)
 
 
@@ -249,12 +260,19 @@ def _draw_ghost_paths(ax: Axes, strip: Strip, time: float) -> None:
     fade = 0.6 * (past[1:] - past[0]) / max(time - past[0], 1e-300)
     for ball, colour in enumerate(strip.scene.lines):
         if np.ptp(came[:, ball], axis=0).any():
-            pieces = np.stack([came[:-1, ball], came[1:, ball]], axis=1)
-            colours = [(*colour, alpha) for alpha in fade]
+            pieces, which = strip.scene.repeats.segments(came[:, ball])
+            colours = [(*colour, alpha) for alpha in fade[which]]
             lines = LineCollection(list(pieces), colors=colours, linewidths=1.0, capstyle="butt", zorder=1.5)
             ax.add_collection(lines, autolim=False)
         if np.ptp(goes[:, ball], axis=0).any():
-            ax.plot(*goes[:, ball].T, color=colour, alpha=0.8, linewidth=0.9, linestyle=(0, (1, 2)), zorder=1.5)
+            ax.plot(
+                *strip.scene.repeats.broken(goes[:, ball]).T,
+                color=colour,
+                alpha=0.8,
+                linewidth=0.9,
+                linestyle=(0, (1, 2)),
+                zorder=1.5,
+            )
 
 
 def _path_times(run: Run, start: float, end: float) -> NDArray[np.float64]:
@@ -266,11 +284,12 @@ def _path_times(run: Run, start: float, end: float) -> NDArray[np.float64]:
 def _draw_contact_axes(ax: Axes, strip: Strip) -> None:
     """Draw the lines of the contact's normal and tangent through it, each named beyond what it crosses."""
     scene, event = strip.scene, strip.event
-    centre, normal = np.array(event.position), np.array(event.normal)
+    centre, normal = scene.repeats.wrapped(np.array(event.position)), np.array(event.normal)
     at_cushion = len(event.balls) == 1
     point = 1.0 / points_per_unit(ax)
     short = max(2.4 * float(scene.radii[strip.participants].max()), 0.06 * scene.size)
     positions, velocities = (states[0, :, :2] for states in strip.run.states([event.time]))
+    positions = scene.repeats.nearest(positions, centre)
     tips = (positions + strip.arrow * velocities)[strip.participants] - centre
     for name, direction in (("n", normal), ("t", np.array([-normal[1], normal[0]]))):
         origin = centre + 0.03 * scene.size * normal if name == "t" and at_cushion else centre

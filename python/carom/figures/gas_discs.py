@@ -10,6 +10,7 @@ from matplotlib.collections import EllipseCollection
 from matplotlib.colors import ListedColormap, Normalize, hsv_to_rgb
 
 from carom.figures import style
+from carom.figures.repeats import Repeats
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -63,8 +64,8 @@ def discs(
     """
     box, repeats = np.asarray(size, dtype=float), np.asarray(periodic)
     ax = _new_axes(box, has_bar=values is not None) if ax is None else ax
-    inside = np.where(repeats, positions - np.floor(positions / box) * box, positions)
-    places, which = _with_copies(inside, np.asarray(radii), box, repeats)
+    sides = Repeats(np.zeros(2), box, repeats)
+    places, which = sides.copies(sides.wrapped(positions), np.asarray(radii))
     drawn = 2.0 * np.asarray(radii)[which]
     shown = EllipseCollection(
         drawn,
@@ -86,20 +87,6 @@ def discs(
     if values is not None:
         _bar(ax, shown, words, is_cut=not np.iscomplexobj(values))
     return ax
-
-
-def _with_copies(
-    places: Numbers, radii: Numbers, box: Numbers, repeats: NDArray[np.bool_]
-) -> tuple[Numbers, NDArray[np.intp]]:
-    """Give all places at which discs are seen in the box, and which disc each of them is."""
-    which = np.arange(len(places))
-    for axis in np.flatnonzero(repeats):
-        low = which[places[:, axis] < radii[which]], places[places[:, axis] < radii[which]]
-        high = which[places[:, axis] > box[axis] - radii[which]], places[places[:, axis] > box[axis] - radii[which]]
-        step = np.where(np.arange(2) == axis, box, 0.0)
-        places = np.concatenate([places, low[1] + step, high[1] - step])
-        which = np.concatenate([which, low[0], high[0]])
-    return places, which
 
 
 def _colour(shown: EllipseCollection, values: NDArray[Any]) -> None:

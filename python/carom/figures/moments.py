@@ -50,7 +50,7 @@ def default_event(run: Run, scene: Scene) -> Event:
     if run.steps is not None:
         return event
     tried = (contacts[index] for index in range(min(len(contacts), MOST_TRIED)))
-    return next((each for each in tried if _is_clear(run, scene, each)), event)
+    return next((each for each in tried if _is_whole(run, scene, each) and _is_clear(run, scene, each)), event)
 
 
 def draw_times(run: Run, samples: int) -> NDArray[np.float64]:
@@ -98,6 +98,13 @@ def _exact_spacing(run: Run, scene: Scene, event: Event, half: int) -> float:
     return best[1]
 
 
+def _is_whole(run: Run, scene: Scene, event: Event) -> bool:
+    """Tell whether the participants meet on one side of a table that repeats itself, and not across its sides."""
+    chosen = [scene.ids.index(ball) for ball in event.balls]
+    places = scene.repeats.wrapped(run.positions([event.time])[0, chosen, :2])
+    return bool(np.array_equal(scene.repeats.nearest(places, places[0]), places))
+
+
 def _is_clear(run: Run, scene: Scene, event: Event) -> bool:
     """Tell whether the participants come apart before and after an event, within their flights."""
     limit = min(_flight_room(run, event), _room(run, event))
@@ -141,7 +148,8 @@ def _gap(run: Run, scene: Scene, event: Event, times: NDArray[np.float64]) -> ND
     places = run.positions(np.clip(times, 0.0, run.end_time))[..., :2]
     chosen = [scene.ids.index(ball) for ball in event.balls]
     other = places[:, chosen[1]] if len(chosen) > 1 else np.array([event.x, event.y])
-    distance = np.linalg.norm(places[:, chosen[0]] - other, axis=-1)
+    one = scene.repeats.nearest(places[:, chosen[0]], other)
+    distance = np.linalg.norm(one - other, axis=-1)
     # A ball out of play is as far away as can be.
     gap: NDArray[np.float64] = np.nan_to_num(distance - scene.radii[chosen].sum(), nan=np.inf)
     return gap

@@ -13,7 +13,7 @@ from matplotlib.patches import Circle, PathPatch
 from carom.figures import style
 from carom.figures.compared import Compared, shortened
 from carom.figures.outline import table_loops
-from carom.figures.table import draw_table, framed_ratio
+from carom.figures.table import clip_to_repeats, draw_table, framed_ratio
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -178,20 +178,21 @@ def _cross() -> dict[str, Any]:
 def _draw_ball(ax: Axes, seen: Compared, ball: int, dots: bool, until: float) -> None:
     colour = style.line_colour(seen.colours[ball])
     one, two = (places[times <= until, ball] for times, places in seen.paths)
-    ax.plot(*one.T, color=_pale(colour), linewidth=3.2, solid_joinstyle="round", zorder=2.0)
-    ax.plot(*two.T, zorder=2.3, **_second(_dark(colour), dots))
+    repeats = seen.scene.repeats
+    ax.plot(*repeats.broken(one).T, color=_pale(colour), linewidth=3.2, solid_joinstyle="round", zorder=2.0)
+    ax.plot(*(repeats.wrapped(two) if dots else repeats.broken(two)).T, zorder=2.3, **_second(_dark(colour), dots))
     radius = _radius(seen, ball)
     for path, face, edge in ((one, _pale(colour), _dark(colour)), (two, colour, _dark(colour))):
         if len(path):
-            _draw_disc(ax, path[0], radius, "none", colour, 1.9)
-            _draw_disc(ax, path[-1], radius, face, edge, 2.2)
+            _draw_disc(ax, seen.scene, path[0], radius, "none", colour, 1.9)
+            _draw_disc(ax, seen.scene, path[-1], radius, face, edge, 2.2)
 
 
 def _draw_others(ax: Axes, seen: Compared, chosen: list[int]) -> None:
     """Draw faintly where the other balls of the first motion are at the parting."""
     if seen.meeting is not None:
         for ball in (ball for ball in range(len(seen.ids)) if ball not in chosen):
-            _draw_disc(ax, seen.meeting[0][ball], _radius(seen, ball), "none", OTHERS, 1.2)
+            _draw_disc(ax, seen.scene, seen.meeting[0][ball], _radius(seen, ball), "none", OTHERS, 1.2)
 
 
 def _radius(seen: Compared, ball: int) -> float:
@@ -203,11 +204,15 @@ def _dark(colour: tuple[float, float, float]) -> tuple[float, float, float]:
     return 0.75 * red, 0.75 * green, 0.75 * blue
 
 
-def _draw_disc(ax: Axes, place: NDArray[np.float64], radius: float, face: Any, edge: Any, zorder: float) -> None:
+def _draw_disc(
+    ax: Axes, scene: Scene, place: NDArray[np.float64], radius: float, face: Any, edge: Any, zorder: float
+) -> None:
     if np.all(np.isfinite(place)):
-        centre = float(place[0]), float(place[1])
-        disc = Circle(centre, radius, facecolor=face, edgecolor=edge, linewidth=0.9, zorder=zorder)
-        ax.add_patch(disc)
+        seen, _ = scene.repeats.copies(scene.repeats.wrapped(place[None]), np.array([radius]))
+        for x, y in seen.tolist():
+            disc = Circle((x, y), radius, facecolor=face, edgecolor=edge, linewidth=0.9, zorder=zorder)
+            ax.add_patch(disc)
+            clip_to_repeats(ax, disc, scene)
 
 
 def _draw_meeting(ax: Axes, seen: Compared, ball: int) -> None:
@@ -216,7 +221,7 @@ def _draw_meeting(ax: Axes, seen: Compared, ball: int) -> None:
     if seen.ids[ball] not in seen.parting_balls:
         return
     for places in seen.meeting:
-        ax.plot(*places[ball], linestyle="none", zorder=4.0, **_cross())
+        ax.plot(*seen.scene.repeats.wrapped(places[ball]), linestyle="none", zorder=4.0, **_cross())
 
 
 def _framing_both(seen: Compared) -> Scene:

@@ -47,6 +47,8 @@ def plot_paths(run: Run, ax: Axes | None = None, *, numbers: bool | None = None)
     Ball-ball contacts are marked by diamonds, cushion contacts by small dots, up to `MOST_MARKS` of them. Where
     events are numbered, pale rings are the two balls at each ball-ball contact.
 
+    Where the table repeats itself, a path that leaves it goes on at the other side.
+
     On a cloth a line is solid where the ball rolls, dashed where it slides and dotted where it flies; a ball
     that fell lies in its pocket. Beside the table, on a figure of its own, stand the shot, the samples of lines and
     marks, and the balls that are out of play. Changes of motion have no numbers.
@@ -204,7 +206,7 @@ def _draw_lines(ax: Axes, scene: Scene, places: NDArray[np.float64], n_events: i
     crowding = min(1.0, n_events / 300)
     for ball, colour in enumerate(map(style.line_colour, scene.colours)):
         ax.plot(
-            *places[:, ball].T,
+            *scene.repeats.broken(places[:, ball]).T,
             color=colour,
             linewidth=1.3 - 0.8 * crowding,
             alpha=0.85 - 0.35 * crowding,
@@ -215,7 +217,7 @@ def _draw_lines(ax: Axes, scene: Scene, places: NDArray[np.float64], n_events: i
 
 def _draw_marks(ax: Axes, scene: Scene, events: list[Event], kind: str) -> None:
     """Mark the events of a kind; between small balls the marks are small, so that a rack does not drown in them."""
-    x, y = np.array([event.position for event in events if event.kind == kind]).T
+    x, y = scene.repeats.wrapped(np.array([event.position for event in events if event.kind == kind])).T
     radii = scene.radii[scene.radii > 0.0]
     most = max(2.4, 0.7 * float(radii.min()) * points_per_unit(ax)) if len(radii) else np.inf
     zorder = 3.6 + 0.1 * (kind == "ball_ball")
@@ -235,10 +237,12 @@ def _draw_contact_rings(ax: Axes, run: Run, scene: Scene, events: list[Event]) -
 def _draw_numbers(ax: Axes, run: Run, scene: Scene, events: dict[int, Event], places: NDArray[np.float64]) -> None:
     """Put numbers at the events: at cushions outside the table, between balls where there is room."""
     scale = points_per_unit(ax)
+    places = scene.repeats.wrapped(places)
     curves = places.reshape(-1, 2)[:: max(1, places.size // 8000)]
     curves = curves[np.isfinite(curves[:, 0])]
     labeller = Labeller(lines=np.concatenate([curves, _ring_points(run, scene, [*events.values()])]) * scale)
-    labeller.avoid([np.array(event.position) * scale for event in events.values()], 2.5)
+    marks = {number: scene.repeats.wrapped(np.array(event.position)) for number, event in events.items()}
+    labeller.avoid([mark * scale for mark in marks.values()], 2.5)
     for pocket in scene.rails.pockets if scene.rails else []:
         labeller.avoid([np.array(pocket["center"], dtype=float) * scale], float(pocket["radius"]) * scale)
     for radius, place in zip(scene.radii, places[-1], strict=True):
@@ -247,7 +251,7 @@ def _draw_numbers(ax: Axes, run: Run, scene: Scene, events: dict[int, Event], pl
     for number, event in ordered:
         at_cushion = event.kind == "ball_cushion"
         away = -_inward(run, scene, event) if at_cushion else None
-        anchor = np.array(event.position) * scale
+        anchor = marks[number] * scale
         size = NUMBER_SIZE * (1.0 if number < 10 else 1.35)
         centre = labeller.place(anchor, size, 9.0 if at_cushion else 4.0 + size / 2, away) / scale
         colour = style.INK if at_cushion else style.EVENT_COLOURS.get(event.kind, style.EVENT_COLOURS["ball_ball"])
@@ -271,7 +275,7 @@ def _ring_points(run: Run, scene: Scene, events: list[Event]) -> NDArray[np.floa
     drawn = [(0.0, ball) for ball in range(len(scene.ids))]
     drawn += [(event.time, scene.ids.index(b)) for event in events if event.kind == "ball_ball" for b in event.balls]
     rings = [run.positions([time])[0, ball, :2] + scene.radii[ball] * circle for time, ball in drawn]
-    return np.concatenate(rings)
+    return scene.repeats.wrapped(np.concatenate(rings))
 
 
 def _inward(run: Run, scene: Scene, event: Event) -> NDArray[np.float64]:

@@ -11,7 +11,16 @@ from carom.figures import style
 from carom.figures.balls import draw_names, draw_stripes
 from carom.figures.beside import draw_stick, new_axes_beside, note_aim
 from carom.figures.scene import Scene
-from carom.figures.table import MARGIN, arrow_scale, draw_arrow, draw_table, framed_ratio, points_per_unit, shown_radii
+from carom.figures.table import (
+    MARGIN,
+    arrow_scale,
+    clip_to_repeats,
+    draw_arrow,
+    draw_table,
+    framed_ratio,
+    points_per_unit,
+    shown_radii,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -73,6 +82,9 @@ def _new_axes(scene: Scene) -> Axes:
 def _draw_discs(ax: Axes, scene: Scene, places: NDArray[np.float64]) -> None:
     """Draw all balls at once: a patch for each of thousands would take long."""
     radii = shown_radii(scene)
+    places, which = scene.repeats.copies(scene.repeats.wrapped(places), radii)
+    faces = np.array(scene.faces)[which]
+    radii = radii[which]
     edge = min(0.7, 0.3 * float(radii.min()) * points_per_unit(ax))
     discs = EllipseCollection(
         2.0 * radii,
@@ -81,12 +93,13 @@ def _draw_discs(ax: Axes, scene: Scene, places: NDArray[np.float64]) -> None:
         units="xy",
         offsets=places,
         offset_transform=ax.transData,
-        facecolors=scene.faces,
+        facecolors=faces.tolist(),
         edgecolors=style.BALL_EDGE,
         linewidths=edge,
         zorder=3.0,
     )
     ax.add_collection(discs, autolim=False)
+    clip_to_repeats(ax, discs, scene)
 
 
 def _draw_velocities(ax: Axes, scene: Scene, places: NDArray[np.float64], velocities: NDArray[np.float64]) -> None:
@@ -96,7 +109,7 @@ def _draw_velocities(ax: Axes, scene: Scene, places: NDArray[np.float64], veloci
     if not 0 < np.count_nonzero(moving) <= MOST_ARROWS:
         return
     radii, velocities, speeds = shown_radii(scene)[moving], velocities[moving], speeds[moving]
-    rims = places[moving] + radii[:, None] * velocities / speeds[:, None]
+    rims = scene.repeats.wrapped(places[moving] + radii[:, None] * velocities / speeds[:, None])
     apart = scene.size / np.sqrt(len(places)) / float(speeds.max())
     scale = arrow_scale(scene, [(rims, velocities)], apart)
     for rim, velocity in zip(rims, velocities, strict=True):

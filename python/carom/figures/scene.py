@@ -11,6 +11,7 @@ from matplotlib.colors import to_hex
 from carom.colours import ball_colours
 from carom.figures.aim import Aim
 from carom.figures.rails import Rails
+from carom.figures.repeats import Repeats
 from carom.figures.style import line_colour
 from carom.units import unit_of
 
@@ -47,6 +48,8 @@ class Scene:
         The pieces of the outline, boundary first, in order.
     field : (2,) float64
         The constant acceleration of all balls.
+    repeats : Repeats
+        The table as a box, and along which axes it repeats itself.
     units : mapping
         Names of units by quantity (``length``, ``time``, ...); may be empty.
     on_cloth : bool
@@ -64,6 +67,7 @@ class Scene:
     bounds: tuple[float, float, float, float]
     pieces: tuple[Mapping[str, Any], ...]
     field: NDArray[np.float64]
+    repeats: Repeats
     units: Mapping[str, str]
     on_cloth: bool = False
     rails: Rails | None = None
@@ -87,6 +91,8 @@ class Scene:
         rails = Rails.of(values, outline, scenario.to_dict()) if scenario.is_on_cloth else None
         x_min, y_min, x_max, y_max = outline["bounds"] if rails is None else rails.outer
         radii = [ball.radius or 0.0 for ball in balls]
+        low, high = np.array(outline["bounds"], dtype=float).reshape(2, 2)
+        periodic = values["table"].get("periodic", [])
         return cls(
             ids=ids,
             colours=tuple(map(to_hex, colours)),
@@ -95,6 +101,7 @@ class Scene:
             bounds=(x_min, y_min, x_max, y_max),
             pieces=tuple(outline["pieces"]),
             field=np.array(values.get("physics", {}).get("flight", {}).get("acceleration", (0.0, 0.0)), dtype=float),
+            repeats=Repeats(low, high - low, np.array([axis in periodic for axis in "xy"])),
             units=values.get("units", {}),
             on_cloth=scenario.is_on_cloth,
             rails=rails,

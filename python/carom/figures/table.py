@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.patches import Circle, FancyArrowPatch, PathPatch, Rectangle
+from matplotlib.path import Path
 from matplotlib.patheffects import Normal, Stroke
 from matplotlib.ticker import MaxNLocator
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
@@ -48,8 +50,9 @@ def draw_table(ax: Axes, scene: Scene, *, margin: float = MARGIN) -> None:
         draw_rails(ax, scene.rails, cloth[0], scene.pieces)
         loops = [(part, path) for part, path in loops if part == "obstacle"]
     elif not cloth:
-        x, y = scene.bounds[:2]
-        ax.add_patch(Rectangle((x, y), scene.width, scene.height, facecolor=style.CLOTH, zorder=0.2))
+        # All of the table, also where the bounds are those of a part of it.
+        (x, y), (width, height) = scene.repeats.low.tolist(), scene.repeats.size.tolist()
+        ax.add_patch(Rectangle((x, y), width, height, facecolor=style.CLOTH, zorder=0.2))
     for part, path in loops:
         if part == "periodic":
             ax.add_patch(
@@ -117,6 +120,9 @@ def draw_balls(
 ) -> list[Circle]:
     """Draw every ball as a disc at its place; a point (radius 0) as a small one of fixed size.
 
+    Where the table repeats itself a ball that has left it is drawn where it came in again, and one that stands across a
+    side on both, each as far as it is on the table.
+
     Parameters
     ----------
     ax : Axes
@@ -124,7 +130,7 @@ def draw_balls(
     scene : Scene
         Gives radii and colours.
     positions : (n_balls, 2) float64
-        Centres; a ball whose place is not a number (it was pocketed) is left out.
+        Centres, wrapped or not; a ball whose place is not a number (it was pocketed) is left out.
     filled : bool
         Filled discs, or rings.
     alpha : float
@@ -135,11 +141,13 @@ def draw_balls(
     Returns
     -------
     list of Circle
-        The discs, in order of the balls.
+        The discs, in order of the balls, and then what of them is on another side.
     """
     discs = []
-    colours = scene.faces if filled else scene.colours
-    for place, radius, colour in zip(positions, shown_radii(scene), colours, strict=True):
+    colours, radii = scene.faces if filled else scene.colours, shown_radii(scene)
+    places, which = scene.repeats.copies(scene.repeats.wrapped(positions), radii)
+    for place, ball in zip(places, which.tolist(), strict=True):
+        radius, colour = radii[ball], colours[ball]
         if not np.all(np.isfinite(place)):
             continue
         disc = Circle(
@@ -152,8 +160,17 @@ def draw_balls(
             zorder=zorder,
         )
         ax.add_patch(disc)
+        clip_to_repeats(ax, disc, scene)
         discs.append(disc)
     return discs
+
+
+def clip_to_repeats(ax: Axes, artist: Artist, scene: Scene) -> None:
+    """Leave out what is beyond a side at which the table repeats itself."""
+    if scene.repeats:
+        (x, y), (width, height) = scene.repeats.low.tolist(), scene.repeats.size.tolist()
+        corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
+        artist.set_clip_path(Path(corners), ax.transData)
 
 
 def shown_radii(scene: Scene) -> NDArray[np.float64]:

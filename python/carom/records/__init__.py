@@ -8,7 +8,7 @@ from carom.records.cutting import cut_events, cut_frames
 from carom.records.event_files import EventWriter, events_to_parquet
 from carom.records.gsd import GsdWriter
 from carom.records.parquet import ParquetWriter
-from carom.records.reading import content_hash, frames, read_snapshot, recover
+from carom.records.reading import content_hash, frame_count, frames, read_snapshot, recover
 from carom.records.snapshot import Snapshot
 from carom.records.xyz import ExtendedXyzWriter
 
@@ -22,6 +22,7 @@ __all__ = [
     "cut_events",
     "cut_frames",
     "events_to_parquet",
+    "frame_count",
     "frames",
     "read_snapshot",
     "recover",

@@ -219,6 +219,7 @@ class GsdFile:
         box = self._find(frame, "configuration/box")
         step = self._find(frame, "configuration/step")
         assumed = self._assumed.or_else(radius=0.5, mass=1.0, velocity=0.0)
+        held = {"velocities": "velocity", "radii": "diameter", "masses": "mass"}
         fields: Chunks = {
             "size": flat_box(np.ones(3) if box is None else box, tilts=("xy", "xz", "yz")),
             "positions": self._per_disc(frame, "position", discs, 0.0, 3),
@@ -244,6 +245,7 @@ class GsdFile:
             exact["masses"],
             turns,
             single_precision=single,
+            assumed=[name for name, chunk in held.items() if self._find(frame, f"particles/{chunk}", discs) is None],
         )
 
     def _per_disc(

@@ -88,6 +88,12 @@ def frames(
             yield file.snapshot(frame)
 
 
+def frame_count(path: str | os.PathLike[str]) -> int:
+    """Give how many frames a file has."""
+    with _opened(path, Assumed()) as file:
+        return len(file)
+
+
 def content_hash(path: str | os.PathLike[str]) -> str:
     """Give the SHA-256 of a file's bytes, as ``sha256:...``; of a folder, that of its files' names and hashes.
 

@@ -19,7 +19,7 @@ class Snapshot:
     """All discs of a gas at one time, in a box whose lower left corner is the origin.
 
     Arrays are copied and made read-only. Two snapshots are equal if they have the same bits, so 0 differs from −0;
-    `single_precision` does not count.
+    `single_precision` and `assumed` do not count.
 
     Parameters
     ----------
@@ -45,6 +45,8 @@ class Snapshot:
         The discs' names, each of them once.
     single_precision : sequence of str
         The fields that a file held with 24 bits only.
+    assumed : sequence of str
+        The fields that a file did not hold, so that they are what was asked for or what its format means by that.
 
     Raises
     ------
@@ -69,6 +71,7 @@ class Snapshot:
     images: NDArray[np.int32] | None = None
     ids: tuple[str, ...] | None = None
     single_precision: tuple[str, ...] = field(default=(), kw_only=True)
+    assumed: tuple[str, ...] = field(default=(), kw_only=True)
 
     def __init__(
         self,
@@ -84,6 +87,7 @@ class Snapshot:
         ids: Sequence[str] | None = None,
         *,
         single_precision: Sequence[str] = (),
+        assumed: Sequence[str] = (),
     ) -> None:
         problems: Problems = []
         rows = np.shape(positions)[0] if np.ndim(positions) else 0
@@ -101,6 +105,7 @@ class Snapshot:
             "images": None if images is None else _images(problems, images, rows),
             "ids": None if ids is None else _ids(problems, ids, rows),
             "single_precision": tuple(single_precision),
+            "assumed": tuple(assumed),
         }
         if problems:
             raise RecordError(problems)
@@ -113,7 +118,7 @@ class Snapshot:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Snapshot):
             return NotImplemented
-        names = [each.name for each in fields(self) if each.name != "single_precision"]
+        names = [each.name for each in fields(self) if each.name not in ("single_precision", "assumed")]
         return all(same_bits(getattr(self, name), getattr(other, name)) for name in names)
 
     __hash__ = None  # type: ignore[assignment]

@@ -329,6 +329,7 @@ def snapshot_of(lines: Sequence[bytes], frame: int, assumed: Assumed) -> Snapsho
     positions = flat("positions", fields["positions"]) - origin
     images = _whole(flat("images", fields["images"])) if "images" in fields else None
     masses = _given(fields, "masses", assumed.mass, "mass", len(rows))
+    derived = ("velocities",) if "momenta" in fields else ()
     time = header.number("Time", "time")
     name = header.find("ids")
     return Snapshot(
@@ -342,6 +343,7 @@ def snapshot_of(lines: Sequence[bytes], frame: int, assumed: Assumed) -> Snapsho
         masses,
         images,
         None if name is None else _words(rows, header.columns[name][0]),
+        assumed=[each for each in ("velocities", "radii", "masses") if each not in (*fields, *derived)],
     )
 
 

@@ -107,6 +107,12 @@ pub enum Error {
         /// The packing fraction asked for.
         got: f64,
     },
+    /// Discs of which one has more momentum than all the others can balance at the same speed.
+    #[error(
+        "velocities: equal_speed needs momenta that can sum to zero: two discs or more, none of them heavier than all \
+         the others together"
+    )]
+    NoBalance,
     /// Random sequential placement that found no place for some discs.
     #[error(
         "packing_fraction: start = \"random\" placed {placed} of {count} discs at most, then found no more room; take a \

@@ -24,7 +24,8 @@ mod sum;
 mod velocities;
 
 pub use error::Error;
-pub use recipe::{Amount, Arrangement, Distribution, Masses, Recipe, Sizes, Species};
+pub use recipe::{Amount, Arrangement, Distribution, Masses, Recipe, Sizes, Species, Velocities};
+pub use velocities::maxwell;
 
 use crate::geometry::Vec2;
 use crate::random::Random;
@@ -89,7 +90,7 @@ pub fn make(recipe: &Recipe) -> Result<Start, Error> {
     Ok(Start {
         size: space.size,
         positions: order.iter().map(|disc| places[*disc]).collect(),
-        velocities: velocities::maxwell(&masses, recipe.temperature, recipe.periodic, recipe.seed),
+        velocities: velocities::drawn(&masses, recipe)?,
         radii: order.iter().map(|disc| radii[*disc]).collect(),
         masses,
         arrangement,

@@ -18,6 +18,8 @@ pub struct Recipe {
     pub sizes: Sizes,
     /// Where the discs start.
     pub start: Arrangement,
+    /// How velocities are drawn.
+    pub velocities: Velocities,
     /// The temperature kT, from zero on.
     pub temperature: f64,
     /// Everything random comes from this.
@@ -108,6 +110,15 @@ pub enum Arrangement {
     Automatic,
 }
 
+/// How the velocities of a gas are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Velocities {
+    /// As in equilibrium.
+    Maxwell,
+    /// All discs equally fast, in random directions without total momentum.
+    EqualSpeed,
+}
+
 impl Recipe {
     /// A gas of equal discs in a periodic square box.
     pub fn new(count: usize, packing_fraction: f64) -> Self {
@@ -118,6 +129,7 @@ impl Recipe {
             periodic: [true, true],
             sizes: Sizes::Equal,
             start: Arrangement::Automatic,
+            velocities: Velocities::Maxwell,
             temperature: 1.0,
             seed: 0,
         }

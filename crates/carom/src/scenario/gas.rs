@@ -1,6 +1,6 @@
 //! A gas turned into a table and balls.
 
-use super::schema::{Axis, Ball, Gas, Masses, Mixture, Sizes, Species, Start, Table};
+use super::schema::{Axis, Ball, Gas, Masses, Mixture, Sizes, Species, Start, Table, Velocities};
 use crate::gas::{self, Amount, Arrangement, Distribution, Recipe};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError, Weak};
 
@@ -28,16 +28,8 @@ impl Gas {
     pub(super) fn table_and_balls(&self) -> Result<(Table, Vec<Ball>), gas::Error> {
         let made = self.made();
         let start = made.1.as_ref().map_err(Clone::clone)?;
-        let [width, length] = start.size;
-        let table = Table::Rectangle {
-            width,
-            length,
-            periodic: self.periodic().to_vec(),
-            obstacles: Vec::new(),
-            nose_height: None,
-            nose_contact: None,
-            pockets: Vec::new(),
-        };
+        let table =
+            Table::plain_box(start.size, [Axis::X, Axis::Y].map(|axis| self.periodic().contains(&axis)));
         Ok((table, (0..start.positions.len()).map(|disc| ball(start, disc)).collect()))
     }
 
@@ -67,6 +59,7 @@ impl Gas {
             periodic: [Axis::X, Axis::Y].map(|axis| self.periodic().contains(&axis)),
             sizes: self.sizes.as_ref().map_or(gas::Sizes::Equal, Sizes::recipe),
             start: self.start.recipe(),
+            velocities: self.velocities.recipe(),
             temperature: self.temperature.unwrap_or(1.0),
             seed: self.seed,
         }
@@ -86,19 +79,43 @@ fn made_of(recipe: Recipe) -> Arc<Outcome> {
 
 fn ball(start: &gas::Start, disc: usize) -> Ball {
     let (position, velocity) = (start.positions[disc], start.velocities[disc]);
-    Ball {
-        id: disc.to_string(),
-        radius: Some(start.radii[disc]),
-        mass: Some(start.masses[disc]),
-        sliding_friction: None,
-        rolling_friction: None,
-        spin_decay: None,
-        position: Some([position.x, position.y].into()),
-        velocity: Some([velocity.x, velocity.y].into()),
-        spin: None,
-        speed: None,
-        direction_deg: None,
-        color: None,
+    let (position, velocity) = ([position.x, position.y], [velocity.x, velocity.y]);
+    Ball::disc(disc.to_string(), start.radii[disc], start.masses[disc], position, velocity)
+}
+
+impl Table {
+    /// A box of walls and periodic sides, and nothing in it.
+    pub(super) fn plain_box([width, length]: [f64; 2], periodic: [bool; 2]) -> Self {
+        let axes = [Axis::X, Axis::Y].into_iter().zip(periodic);
+        Self::Rectangle {
+            width,
+            length,
+            periodic: axes.filter_map(|(axis, is_periodic)| is_periodic.then_some(axis)).collect(),
+            obstacles: Vec::new(),
+            nose_height: None,
+            nose_contact: None,
+            pockets: Vec::new(),
+        }
+    }
+}
+
+impl Ball {
+    /// A disc of which everything is known.
+    pub(super) fn disc(id: String, radius: f64, mass: f64, position: [f64; 2], velocity: [f64; 2]) -> Self {
+        Self {
+            id,
+            radius: Some(radius),
+            mass: Some(mass),
+            sliding_friction: None,
+            rolling_friction: None,
+            spin_decay: None,
+            position: Some(position.into()),
+            velocity: Some(velocity.into()),
+            spin: None,
+            speed: None,
+            direction_deg: None,
+            color: None,
+        }
     }
 }
 
@@ -146,6 +163,15 @@ impl Start {
             Self::Hexagonal => Arrangement::Hexagonal,
             Self::Random => Arrangement::Random,
             Self::Compressed => Arrangement::Compressed,
+        }
+    }
+}
+
+impl Velocities {
+    fn recipe(self) -> gas::Velocities {
+        match self {
+            Self::Maxwell => gas::Velocities::Maxwell,
+            Self::EqualSpeed => gas::Velocities::EqualSpeed,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The text format of scenarios, and its checking.
 
+mod balls_from;
 mod check;
 mod cloth_system;
 mod equipment;
@@ -21,6 +22,7 @@ mod structure;
 mod system;
 mod values;
 
+pub use balls_from::{BallsRead, BallsReader};
 pub use check::LARGEST;
 pub use cloth_system::{ClothSystem, NoseReach, Stroke};
 pub use equipment::Equipment;

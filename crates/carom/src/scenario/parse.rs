@@ -1,36 +1,62 @@
 //! Scenario texts: TOML and JSON, read and written.
 
+use super::balls_from::{BallsReader, no_files};
 use super::check::{Draft, check};
 use super::expand::with_rack;
 use super::json;
 use super::problem::{Findings, Problem, ScenarioError};
 use super::schema::{Ball, BallDefaults, Cue, FORMAT, Gas, Physics, Rack, Scenario, Shot, Table};
 use super::structure::check_structure;
+use super::values::with_changes;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
 impl Scenario {
     /// Reads and checks a scenario written in TOML.
     pub fn from_toml(text: &str) -> Result<Self, ScenarioError> {
-        let document: toml::Table = text.parse().map_err(|error| toml_problem(text, &error))?;
-        Self::from_value(&json_of_table(document))
+        Self::from_toml_with(text, &[], &mut no_files)
     }
 
     /// Reads and checks a scenario written in JSON.
     pub fn from_json(text: &str) -> Result<Self, ScenarioError> {
-        if text.trim().is_empty() {
-            return Err(empty().into());
-        }
-        Self::from_value(&json::read(text).map_err(|error| json_problem(&error))?)
+        Self::from_json_with(text, &[], &mut no_files)
     }
 
     /// Reads and checks a scenario given as a JSON value; the texts "nan", "inf" and "-inf" stand for such numbers.
     pub fn from_value(value: &Value) -> Result<Self, ScenarioError> {
+        Self::from_value_with(value, &mut no_files)
+    }
+
+    /// The same as [`Scenario::from_toml`], with a reader for balls that stand in a file, and values changed before it reads.
+    pub fn from_toml_with(
+        text: &str,
+        values: &[(String, Value)],
+        reader: &mut BallsReader<'_>,
+    ) -> Result<Self, ScenarioError> {
+        let document: toml::Table = text.parse().map_err(|error| toml_problem(text, &error))?;
+        Self::from_value_with(&with_changes(json_of_table(document), values)?, reader)
+    }
+
+    /// The same as [`Scenario::from_json`], with a reader for balls that stand in a file, and values changed before it reads.
+    pub fn from_json_with(
+        text: &str,
+        values: &[(String, Value)],
+        reader: &mut BallsReader<'_>,
+    ) -> Result<Self, ScenarioError> {
+        if text.trim().is_empty() {
+            return Err(empty().into());
+        }
+        let value = json::read(text).map_err(|error| json_problem(&error))?;
+        Self::from_value_with(&with_changes(value, values)?, reader)
+    }
+
+    fn from_value_with(value: &Value, reader: &mut BallsReader<'_>) -> Result<Self, ScenarioError> {
         refuse_outright(value)?;
         let mut findings = Findings::default();
         let usable = check_structure(value, &mut findings);
         match serde_path_to_error::deserialize(&usable) {
-            Ok(scenario) => {
+            Ok(mut scenario) => {
+                Self::read_balls(&mut scenario, reader, &mut findings);
                 check(&Draft::of(&scenario, &scenario.expanded()), &mut findings);
                 findings.into_result()?;
                 Ok(Self::with_plain_record(scenario))
@@ -111,6 +137,7 @@ fn check_parts(usable: &Value, findings: &mut Findings) {
         written_balls: written_balls.len(),
         rack: rack.as_ref(),
         gas: gas.as_ref(),
+        reads_balls: usable.get("balls_from").is_some(),
         cue: &cue,
         shot: shot.as_ref(),
         duration: part(usable.get("duration")),

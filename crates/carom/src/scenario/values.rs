@@ -29,21 +29,7 @@ impl Scenario {
         if let Some(changed) = self.with_ends(values) {
             return Ok(changed);
         }
-        let mut changed = self.to_value()?;
-        let mut findings = Findings::default();
-        for (path, value) in values {
-            let path = path.as_ref();
-            let under = expanded(&changed);
-            let set = parse(path).and_then(|steps| {
-                set(&mut changed, under.as_ref(), &steps, value)
-                    .map_err(|message| Problem::new(path, message))
-            });
-            if let Err(problem) = set {
-                findings.add(problem.place, problem.message);
-            }
-        }
-        findings.into_result()?;
-        Self::from_value(&changed)
+        Self::from_value(&with_changes(self.to_value()?, values)?)
     }
 
     /// The same where the values say nothing but when to end and what to keep, and that plainly: no ball need be looked at
@@ -103,6 +89,26 @@ impl Scenario {
         }
         Ok((taken, value.clone()))
     }
+}
+
+/// A scenario's value with some values changed.
+pub(super) fn with_changes<P: AsRef<str>>(
+    mut changed: Value,
+    values: &[(P, Value)],
+) -> Result<Value, ScenarioError> {
+    let mut findings = Findings::default();
+    for (path, value) in values {
+        let path = path.as_ref();
+        let under = expanded(&changed);
+        let set = parse(path).and_then(|steps| {
+            set(&mut changed, under.as_ref(), &steps, value).map_err(|message| Problem::new(path, message))
+        });
+        if let Err(problem) = set {
+            findings.add(problem.place, problem.message);
+        }
+    }
+    findings.into_result()?;
+    Ok(changed)
 }
 
 /// A scenario's value with its preset and its rack turned into plain keys, where it has one and can be read.

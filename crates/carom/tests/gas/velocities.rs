@@ -1,7 +1,7 @@
-//! Maxwell's velocities.
+//! The velocities of a gas.
 
 use super::kit::{bidisperse, made, recipe};
-use carom::gas::{Arrangement, Recipe, Start};
+use carom::gas::{Amount, Arrangement, Error, Recipe, Sizes, Species, Start, Velocities, make};
 
 fn gas(count: usize, periodic: [bool; 2], temperature: f64) -> Recipe {
     Recipe { periodic, temperature, ..recipe(count, 0.05, Arrangement::Random) }
@@ -88,4 +88,52 @@ fn species_share_the_energy() {
         // Energies have an exponential distribution, with a standard deviation as large as their mean.
         assert!((mean - 1.0).abs() < 4.0 / (energies.len() as f64).sqrt(), "mass {mass}: {mean}");
     }
+}
+
+#[test]
+fn equal_speeds_have_no_momentum_and_the_energy_of_the_temperature() {
+    for count in [2, 3, 5, 50, 1000] {
+        for (periodic, sizes) in [([true, true], Sizes::Equal), ([false, false], bidisperse())] {
+            let mut recipe =
+                Recipe { sizes, velocities: Velocities::EqualSpeed, ..gas(count, periodic, 2.5) };
+            if count < 10 {
+                recipe.sizes = Sizes::Equal;
+            }
+            let start = made(&recipe);
+            let speeds: Vec<f64> = start.velocities.iter().map(|v| v.norm_squared().sqrt()).collect();
+            // A direction, its length and the scaling: a few roundings each.
+            assert!(speeds.iter().all(|speed| (speed / speeds[0] - 1.0).abs() < 1e-15 * 8.0), "{count}");
+            let most = 1e-14 * speeds[0] * count as f64;
+            assert!(momentum(&start).into_iter().all(|along| along.abs() < most), "{count}");
+            let freedom = count as f64 - if periodic[0] { 1.0 } else { 0.0 };
+            assert!((energy(&start) / (2.5 * freedom) - 1.0).abs() < 1e-13, "{count}");
+        }
+    }
+}
+
+#[test]
+fn equal_speeds_go_everywhere() {
+    let count = 20_000;
+    let start = made(&Recipe { velocities: Velocities::EqualSpeed, ..gas(count, [true, true], 1.0) });
+    let speed = start.velocities[0].norm_squared().sqrt();
+    // Of directions that are equally likely cos 2φ, sin 2φ and cos 4φ have mean 0 and variance ½: four standard errors.
+    let angles: [fn(f64, f64) -> f64; 3] =
+        [|x, y| x * x - y * y, |x, y| 2.0 * x * y, |x, y| 8.0 * x * x * y * y - 1.0];
+    for of in angles {
+        let mean = start.velocities.iter().map(|v| of(v.x / speed, v.y / speed)).sum::<f64>() / count as f64;
+        assert!(mean.abs() < 4.0 * (0.5 / count as f64).sqrt(), "{mean}");
+    }
+}
+
+#[test]
+fn equal_speeds_that_cannot_balance_are_refused() {
+    let heavy = |mass| {
+        let one = |number, mass| Species { amount: Amount::Number(number), diameter: 1.0, mass };
+        let sizes = Sizes::Species(vec![one(1, mass), one(3, 1.0)]);
+        make(&Recipe { sizes, velocities: Velocities::EqualSpeed, ..gas(4, [false, false], 1.0) })
+    };
+    assert_eq!(heavy(3.5), Err(Error::NoBalance));
+    assert!(heavy(2.5).is_ok());
+    let single = Recipe { velocities: Velocities::EqualSpeed, ..gas(1, [false, false], 1.0) };
+    assert_eq!(make(&single), Err(Error::NoBalance));
 }

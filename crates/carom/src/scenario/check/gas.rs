@@ -7,7 +7,10 @@ use crate::scenario::schema::{Gas, Sizes, Table};
 pub(super) fn check_gas(draft: &Draft<'_>, findings: &mut Findings) {
     let Some(gas) = draft.gas else {
         let is_absent = draft.written.is_some_and(|table| *table == Table::Absent);
-        if is_absent && ["table", "gas", "scenario"].iter().all(|part| findings.is_sound(part)) {
+        if is_absent
+            && !draft.reads_balls
+            && ["table", "gas", "scenario"].iter().all(|part| findings.is_sound(part))
+        {
             let message = "missing: expected a set of keys with shape or preset";
             findings.add("table", message);
         }

@@ -37,6 +37,8 @@ pub(crate) struct Draft<'a> {
     pub written_balls: usize,
     pub rack: Option<&'a Rack>,
     pub gas: Option<&'a Gas>,
+    /// Whether balls, and perhaps the table, are still to be read from a file.
+    pub reads_balls: bool,
     pub cue: &'a Cue,
     pub shot: Option<&'a Shot>,
     pub duration: Option<f64>,
@@ -57,6 +59,7 @@ impl<'a> Draft<'a> {
             written_balls: written.balls.len(),
             rack: written.rack.as_ref(),
             gas: written.gas.as_ref(),
+            reads_balls: written.balls_from.is_some(),
             cue: &expanded.cue,
             shot: expanded.shot.as_ref(),
             duration: expanded.duration,

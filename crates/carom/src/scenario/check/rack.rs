@@ -10,7 +10,7 @@ pub(super) fn check_rack(draft: &Draft<'_>, findings: &mut Findings) {
     }
     if draft.rack.is_none() {
         let is_sound = ["balls", "gas", "scenario"].iter().all(|part| findings.is_sound(part));
-        if draft.balls.is_empty() && draft.gas.is_none() && is_sound {
+        if draft.balls.is_empty() && draft.gas.is_none() && !draft.reads_balls && is_sound {
             findings.add("balls", "missing: give at least one ball, or a rack");
         }
         return;

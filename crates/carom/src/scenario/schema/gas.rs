@@ -30,7 +30,10 @@ pub struct Gas {
     /// Diameters and masses of the discs; absent: all of diameter 1 and mass 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sizes: Option<Sizes>,
-    /// The temperature kT of the velocities, which are Maxwell's; zero or positive; absent: 1.
+    /// How velocities are drawn; absent: maxwell.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub velocities: Velocities,
+    /// The temperature kT of the velocities; zero or positive; absent: 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.0))]
     pub temperature: Option<f64>,
@@ -58,6 +61,17 @@ pub enum Start {
     Random,
     /// Placed at random as small discs that move, collide and grow.
     Compressed,
+}
+
+/// How the velocities of a gas are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Velocities {
+    /// As in equilibrium: each component has a normal distribution.
+    #[default]
+    Maxwell,
+    /// All discs equally fast, in random directions whose momenta sum to zero.
+    EqualSpeed,
 }
 
 /// Diameters and masses of the discs of a gas: a list of species, or a distribution of diameters.

@@ -4,6 +4,7 @@
 //! same one. Any consistent units will do; "length" in a description means the scenario's own unit of length.
 
 mod balls;
+mod balls_from;
 mod color;
 mod cue;
 mod gas;
@@ -15,9 +16,10 @@ mod table;
 mod vector;
 
 pub use balls::{Ball, BallDefaults};
+pub use balls_from::{BallsFrom, BallsSource};
 pub use color::{COLOR_NAMES, Color};
 pub use cue::{Cue, OffsetOf, Shot};
-pub use gas::{Gas, Masses, Mixture, Sizes, Species, Start};
+pub use gas::{Gas, Masses, Mixture, Sizes, Species, Start, Velocities};
 pub use method::{AfterHit, LastStep, Method, NormalTaken};
 pub use physics::{
     BallBall, BallCushion, Cluster, Collapse, CushionFriction, Flight, Physics, Rebound, SlipFriction,
@@ -66,7 +68,8 @@ pub struct Scenario {
     /// What a run keeps; absent: all, and of a gas none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub record: Option<Record>,
-    /// The region the balls move in; to be left out only where there is a gas, which has its own box.
+    /// The region the balls move in; to be left out only where there is a gas, which has its own box, or where balls are read
+    /// from a file, whose box then is the table.
     #[serde(default, skip_serializing_if = "is_default")]
     pub table: Table,
     /// The laws of motion and of collision; absent: free flight and elastic collisions.
@@ -81,10 +84,16 @@ pub struct Scenario {
     /// Balls set up for a game; absent: none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rack: Option<Rack>,
-    /// The balls; at least one, unless there is a rack or a gas.
+    /// The balls; at least one, unless there is a rack or a gas, or they are read from a file.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(min = 1))]
     pub balls: Vec<Ball>,
+    /// Balls that are read from a file, in place of `balls`; absent: none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub balls_from: Option<BallsFrom>,
+    /// Which file the balls were read from; absent: none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub balls_source: Option<BallsSource>,
     /// A gas: so many discs in a box of their own, in place of a table and balls; absent: none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gas: Option<Gas>,
