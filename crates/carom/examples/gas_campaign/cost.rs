@@ -59,8 +59,8 @@ fn plain(scenario: &Scenario) {
 
 fn measured(scenario: &Scenario, names: &[&str]) {
     let requests: Vec<Request> = names.iter().map(|name| Request::new(name)).collect();
-    let mut observables = Observables::new(&requests).expect("known names");
-    simulate_observed(scenario, None, &mut observables, &Sampling::default(), &mut |_| false).expect("a run");
+    let observables = Observables::new(&requests).expect("known names");
+    simulate_observed(scenario, None, observables, &Sampling::default(), &mut |_| false).expect("a run");
 }
 
 fn median(numbers: impl Iterator<Item = f64>) -> f64 {

@@ -58,14 +58,14 @@ impl Case {
         let name = format!("packing {:.2}", self.packing_fraction);
         let scenario = self.scenario();
         let all = scenario.collisions.unwrap_or(0) as f64;
-        let mut observables = Observables::new(&NAMES.map(Request::new)).expect("known names");
+        let observables = Observables::new(&NAMES.map(Request::new)).expect("known names");
         let sampling = Sampling { equilibrate: self.equilibrate, interval: None };
         let mut show = |so_far: &Progress| {
             progress(&name, so_far.collisions as f64 / all);
             false
         };
-        match simulate_observed(&scenario, None, &mut observables, &sampling, &mut show) {
-            Ok(_) => self.report(&name, &observables.results(), verdict),
+        match simulate_observed(&scenario, None, observables, &sampling, &mut show) {
+            Ok((_, observables)) => self.report(&name, &observables.results(), verdict),
             Err(error) => verdict.failure(&name, &error.to_string()),
         }
     }

@@ -184,13 +184,34 @@ impl<S: Scalar, E: Engine<S>> Simulation<S, E> {
         observer: &mut impl Observer<S, E::Dynamics>,
     ) -> Result<bool, SimulationError> {
         for _ in 0..steps {
-            let is_due = self.status.is_none() && self.engine.next_time() <= time;
-            if !is_due {
+            if !self.step_up_to(time, observer)? {
                 return Ok(false);
             }
-            self.step(observer)?;
         }
         Ok(true)
+    }
+
+    /// Makes the next event happen if it is due up to `time`; says whether one was.
+    #[inline]
+    fn step_up_to(
+        &mut self,
+        time: S,
+        observer: &mut impl Observer<S, E::Dynamics>,
+    ) -> Result<bool, SimulationError> {
+        if self.status.is_none() && self.reached_limit().is_none() && time <= self.latest() {
+            let happened = self.engine.step(time, observer);
+            self.time = happened.unwrap_or(self.time);
+            if let Some(fault) = self.engine.fault() {
+                self.end_by_fault(fault)?;
+            }
+            return Ok(happened.is_some());
+        }
+        // Here the run ends, should anything be due.
+        let is_due = self.status.is_none() && self.engine.next_time() <= time;
+        if is_due {
+            self.step(observer)?;
+        }
+        Ok(is_due)
     }
 
     /// The same, but no further than a step after which it is enough: so where that is does not depend on the steps.
@@ -205,7 +226,7 @@ impl<S: Scalar, E: Engine<S>> Simulation<S, E> {
             if !is_missing(self.engine.diagnostics()) {
                 return Ok(true);
             }
-            if !self.advance_until(time, 1, observer)? {
+            if !self.step_up_to(time, observer)? {
                 return Ok(false);
             }
         }

