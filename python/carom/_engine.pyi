@@ -3,6 +3,7 @@
 Scenarios and options go over as JSON text. Words such as kinds and ids go over as codes into lists, −1 for none.
 """
 
+from collections.abc import Callable
 from typing import Any, Literal, TypedDict, final
 
 import numpy as np

@@ -87,9 +87,14 @@ impl<S: Scalar> Pair<S> {
         let square = separation.norm_squared();
         let distance = square.sqrt();
         let normal = Vec2::new(separation.x / distance, separation.y / distance);
-        // Divided by the square of the distance, not by the distance twice: a root of nearly one is more often rounded down
-        // than up, and a normal that is longer than one in the mean would make energy of every contact.
-        let closing_speed = (velocities[0] - velocities[1]).dot(separation) / square * distance;
+        // Where the root is not exact the normal is none of length one. As a root of nearly one is more often rounded down
+        // than up, it is too long in the mean, and would make energy of every contact.
+        let approach = velocities[0] - velocities[1];
+        let closing_speed = if distance * distance == square {
+            approach.dot(normal)
+        } else {
+            approach.dot(separation) / square * distance
+        };
         let reduced_mass = S::ONE / (discs[0].inverse_mass + discs[1].inverse_mass);
         Self { distance, normal, closing_speed, reduced_mass }
     }
