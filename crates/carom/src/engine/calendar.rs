@@ -17,7 +17,7 @@ const BALLS_PER_LINE: f64 = 200.0;
 const LINES: [f64; 2] = [16.0, 4096.0];
 
 /// The calendar reaches over so many times the time in which a quarter of the balls has an event.
-const REACH: f64 = 8.0;
+const REACH: f64 = 4.0;
 
 /// A round of the calendar whose bins held so many times too few or too many lines lays it out anew.
 const TOLERANCE: f64 = 1.5;
@@ -136,7 +136,11 @@ impl<S: Scalar> Calendar<S> {
         let ahead = bin.wrapping_sub(self.bin) as i64;
         if ahead > 0 && (ahead as usize) < self.bins.len() {
             let last = self.bins.len() - 1;
-            self.bins[bin as usize & last].push(line);
+            let bin = &mut self.bins[bin as usize & last];
+            if bin.len() == bin.capacity() {
+                make_room(bin);
+            }
+            bin.push(line);
         } else if ahead <= 0 && !self.bins.is_empty() {
             self.insert(line);
         } else if line.time < S::INFINITY {
@@ -250,6 +254,12 @@ impl<S: Scalar> Calendar<S> {
         self.lines += self.present.len() as u64;
         true
     }
+}
+
+/// Makes a full bin larger by a quarter: all bins of a great many balls at twice what they need would be the most of memory.
+#[cold]
+fn make_room<T>(bin: &mut Vec<T>) {
+    bin.reserve_exact(bin.len() / 4 + 8);
 }
 
 #[cfg(test)]
