@@ -137,7 +137,7 @@ impl Candidates {
     /// Fills what wide registers would see after the last with the ball that asks, which never meets itself.
     #[inline(always)]
     fn close(&mut self, ball: u32) {
-        let (from, to) = (self.count, self.count + 12);
+        let (from, to) = (self.count, self.count + 4);
         self.numbers[from..to].fill(MaybeUninit::new(ball));
         if self.is_round {
             self.rounds[from..to].fill(MaybeUninit::new([0; 2]));
@@ -317,10 +317,8 @@ mod avx2 {
         };
         let mut near = _mm256_setzero_pd();
         let mut from = 0;
-        // Three groups hold what nine cells usually do; so the number of them is no surprise to the processor.
-        let groups = if candidates.count <= 4 { 1 } else { candidates.count.div_ceil(4).max(3) };
-        for _ in 0..groups {
-            // SAFETY: as of this function; there are twelve more numbers than candidates, and as many rounds where there are any.
+        for _ in 0..candidates.count.div_ceil(4) {
+            // SAFETY: as of this function; there are four more numbers than candidates, and as many rounds where there are any.
             unsafe {
                 let round = if PERIODIC && candidates.is_round {
                     _mm_loadu_si128(candidates.rounds.as_ptr().add(from).cast())
