@@ -23,8 +23,10 @@ struct Frame<'py> {
     sha256: String,
 }
 
-/// Reads a scenario, with the values of a JSON object changed before a file is read. Of `[balls_from]` the reader is called with its keys as JSON text; it gives a frame, or the problems as
-/// pairs of place and message.
+/// Reads a scenario, with the values of a JSON object changed before a file is read.
+///
+/// Of `[balls_from]` the reader is called with its keys as JSON text; it gives a frame, or the problems as pairs of place and
+/// message.
 pub fn parse(
     text: &str,
     format: &str,

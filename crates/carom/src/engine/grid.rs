@@ -60,7 +60,7 @@ pub struct Grid<S> {
     /// The balls of each cell, row by row, `places` for each.
     balls: Vec<u32>,
     /// How many are in each.
-    filled: Vec<u16>,
+    filled: Vec<u32>,
 }
 
 /// Some columns, or rows, that lie beside each other, each with how often one has gone round the table to be there.
@@ -228,7 +228,7 @@ impl<S: Scalar> Grid<S> {
         let there = &mut self.balls[at..=at + last];
         if let Some(place) = there.iter().position(|&number| number == ball.number) {
             there[place] = there[last];
-            self.filled[cell] = last as u16;
+            self.filled[cell] = last as u32;
         }
     }
 
@@ -328,15 +328,12 @@ impl<S: Scalar> Grid<S> {
             Window::Inside { first, columns: 3, rows: 3 } => self.list_inside::<3, 3>(first, candidates),
             Window::Inside { first, columns: 3, .. } => self.list_inside::<3, 1>(first, candidates),
             Window::Inside { first, .. } => self.list_inside::<1, 3>(first, candidates),
-            Window::Round { columns, rows } => {
+            Window::Round { .. } => {
                 let mut has_room = true;
-                for &(row, round_y) in &rows.cells[..rows.count] {
-                    for &(column, round_x) in &columns.cells[..columns.count] {
-                        let cell = row * self.count[0] + column;
-                        let places = &self.balls[cell * self.places..(cell + 1) * self.places];
-                        has_room &= candidates.add_cell(places, self.filled[cell], [round_x, round_y]);
-                    }
-                }
+                self.each_cell(window, |cell, round| {
+                    let places = &self.balls[cell * self.places..(cell + 1) * self.places];
+                    has_room &= candidates.add_cell(places, self.filled[cell], round);
+                });
                 has_room
             }
         }
@@ -354,7 +351,7 @@ impl<S: Scalar> Grid<S> {
     /// Hands over the balls of some cells by four places: how many balls from the first of them on the cell has, and how often
     /// one has gone round to be there.
     pub fn each_four(&self, window: &Window, mut meet: impl FnMut(&[u32; FEW], usize, [i16; 2])) {
-        let mut meet_cell = |cell: usize, round| {
+        self.each_cell(window, |cell, round| {
             let (at, filled) = (cell * self.places, self.filled[cell] as usize);
             let (fours, _) = self.balls[at..at + self.places].as_chunks::<FEW>();
             for (place, four) in fours.iter().enumerate() {
@@ -362,17 +359,22 @@ impl<S: Scalar> Grid<S> {
                     meet(four, filled - place * FEW, round);
                 }
             }
-        };
+        });
+    }
+
+    /// Hands over some cells, and how often one has gone round to be in each.
+    #[inline(always)]
+    fn each_cell(&self, window: &Window, mut meet: impl FnMut(usize, [i16; 2])) {
         match window {
             Window::Inside { first, columns, rows } => {
                 for row in 0..*rows {
-                    (0..*columns).for_each(|column| meet_cell(first + row * self.count[0] + column, [0; 2]));
+                    (0..*columns).for_each(|column| meet(first + row * self.count[0] + column, [0; 2]));
                 }
             }
             Window::Round { columns, rows } => {
                 for &(row, round_y) in &rows.cells[..rows.count] {
                     for &(column, round_x) in &columns.cells[..columns.count] {
-                        meet_cell(row * self.count[0] + column, [round_x, round_y]);
+                        meet(row * self.count[0] + column, [round_x, round_y]);
                     }
                 }
             }

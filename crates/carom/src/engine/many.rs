@@ -162,13 +162,15 @@ impl<S: Scalar> Discs<S> {
     #[inline(never)]
     fn ask_in_parts(&self, window: &Window, own: &Ball<S>, touch: Touch, nearest: &mut Nearest<S>) -> bool {
         let Some(Many { grid, .. }) = &self.many else { return true };
-        let mut is_clear = true;
+        let (mut candidates, mut is_clear) = (Candidates::none(true), true);
         grid.each_four(window, |four, count, round| {
-            let mut candidates = Candidates::none(true);
-            candidates.add_cell(four, count.min(4) as u16, round);
-            is_clear &= self.ask(own, touch, &mut candidates, nearest);
+            if !candidates.has_room_for(4) {
+                is_clear &= self.ask(own, touch, &mut candidates, nearest);
+                candidates = Candidates::none(true);
+            }
+            candidates.add_cell(four, count.min(4) as u32, round);
         });
-        is_clear
+        is_clear & self.ask(own, touch, &mut candidates, nearest)
     }
 
     #[inline(always)]

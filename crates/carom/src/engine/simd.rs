@@ -67,17 +67,18 @@ impl Candidates {
 
     /// Takes the balls of some cells that lie together, where one does not go round to see any: so many columns of so many
     /// rows from `first` on. Of all cells, which are `columns` to a row, are given the places, `width` for each, and how many
-    /// are filled. `false`, and they are not all taken, where a cell has more than four, or there is no room.
+    /// are filled. `false`, and they are not all taken, where a cell has more than four, there is no room, or one goes round.
     #[inline(always)]
     pub fn add_cells<const COLUMNS: usize, const ROWS: usize>(
         &mut self,
         (places, width): (&[u32], usize),
-        filled: &[u16],
+        filled: &[u32],
         first: usize,
         columns: usize,
     ) -> bool {
         let last = first + (ROWS - 1) * columns + COLUMNS;
-        if width < 4
+        if self.is_round
+            || width < 4
             || last > filled.len()
             || last * width > places.len()
             || !self.has_room_for(4 * COLUMNS * ROWS)
@@ -106,7 +107,7 @@ impl Candidates {
     /// Takes the balls of a cell: its places, how many are filled, and how often one goes round to see them. `false`, and they
     /// are not all taken, where there are more than four, or there is no room.
     #[inline(always)]
-    pub fn add_cell(&mut self, places: &[u32], filled: u16, round: [i16; 2]) -> bool {
+    pub fn add_cell(&mut self, places: &[u32], filled: u32, round: [i16; 2]) -> bool {
         if places.len() < 4 || !self.has_room_for(4) {
             return false;
         }
@@ -519,7 +520,7 @@ mod tests {
             let mut candidates = Candidates::none(is_round);
             for _ in 0..random.below(4) {
                 let places = [0; 12].map(|_| random.below(40) as u32);
-                let filled = [0; 3].map(|_| random.below(5) as u16);
+                let filled = [0; 3].map(|_| random.below(5) as u32);
                 let round = [random.below(3) as i16 - 1, random.below(3) as i16 - 1];
                 let has_room = if is_round {
                     candidates.add_cell(&places, filled[0], round)

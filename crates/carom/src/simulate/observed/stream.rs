@@ -25,12 +25,12 @@ impl Stream {
         Self { window, seen: 0, first: 0, held: Vec::new(), handed_out: 0 }
     }
 
-    /// What is to be handed out, and the number of the first; `is_over`: whether the run ends here.
+    /// What is to be handed out, and the number of the first.
     pub(super) fn piece(&self) -> (&[Event<f64>], u64) {
         (&self.held, self.first)
     }
 
-    /// Whether a piece is there: a full one, or what there is after the window or the run.
+    /// Whether a piece is there: a full one, or what there is after the window or the run; `is_over`: whether that ends here.
     pub(super) fn is_due(&self, time: f64, is_over: bool) -> bool {
         let is_last = is_over || self.window.is_some_and(|window| time > window.to);
         self.held.len() >= PIECE || (is_last && !self.held.is_empty())
