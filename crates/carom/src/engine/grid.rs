@@ -421,3 +421,32 @@ fn edges<S: Scalar>((size, extent): (S, S), count: usize, is_periodic: bool) -> 
     edges[0] = if is_periodic { S::ZERO } else { -S::INFINITY };
     edges
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::{Ball, Bounds, Grid, Vec2};
+    use crate::flight::Flight;
+
+    #[test]
+    fn a_cell_holds_more_points_than_sixteen_bits_count() {
+        let bounds = Bounds { min: Vec2::ZERO, max: Vec2::new(5.0, 5.0) };
+        let mut grid = Grid::new(&bounds, 1.0 - 1e-3, 25, [false; 2]).unwrap();
+        let still = Flight {
+            start: 0.0,
+            position: Vec2::new(2.5, 2.5),
+            velocity: Vec2::ZERO,
+            acceleration: Vec2::ZERO,
+        };
+        let mut cell = [0; 2];
+        for number in 0..70_000 {
+            let mut ball = Ball::new(number, 0.0, &still, 0);
+            grid.place(&mut ball, 0.0);
+            cell = ball.cell;
+        }
+        let mut found = 0;
+        grid.each_four(&grid.around(cell), |_, count, _| found += count.min(4));
+        assert_eq!(found, 70_000);
+    }
+}
