@@ -9,15 +9,19 @@ use super::grid::Side;
 use super::queue::{Pending, Target};
 use super::simd::fetch;
 use crate::scalar::Scalar;
+use core::cmp::Ordering;
 
 /// Lines in a bin are one to so many balls, where the calendar is laid out: many for many, whose bins would have too many ends.
-const BALLS_PER_LINE: f64 = 200.0;
+const BALLS_PER_LINE: f64 = 400.0;
 
 /// Lines in a bin, fewest and most.
-const LINES: [f64; 2] = [16.0, 4096.0];
+const LINES: [f64; 2] = [12.0, 4096.0];
 
 /// The calendar reaches over so many times the time in which a quarter of the balls has an event.
-const REACH: f64 = 4.0;
+const REACH: f64 = 16.0;
+
+/// Lines that are put in order by counting.
+const FEW_LINES: usize = 48;
 
 /// A round of the calendar whose bins held so many times too few or too many lines lays it out anew.
 const TOLERANCE: f64 = 1.5;
@@ -58,6 +62,8 @@ pub struct Calendar<S> {
     /// Its lines, in order from `next` on.
     present: Vec<Line<S>>,
     next: usize,
+    /// Room to sort in.
+    spare: Vec<Line<S>>,
     /// Lines beyond the last bin.
     later: Vec<Line<S>>,
     /// Lines that came to be present since the last look at the length of bins.
@@ -101,6 +107,7 @@ impl<S: Scalar> Calendar<S> {
             bin: 0,
             present: Vec::new(),
             next: 0,
+            spare: Vec::new(),
             later: Vec::new(),
             lines: 0,
             lines_per_bin: (balls as f64 / BALLS_PER_LINE).clamp(LINES[0], LINES[1]),
@@ -208,8 +215,7 @@ impl<S: Scalar> Calendar<S> {
         }
         self.bin += 1;
         core::mem::swap(&mut self.present, &mut self.bins[(self.bin & last) as usize]);
-        let awaited = &self.awaited;
-        self.present.retain(|line| awaited[line.ball as usize].stamp == line.stamp);
+        self.drop_stale();
         self.lines += self.present.len() as u64;
         self.sort();
         if self.bin & last == 0 {
@@ -219,9 +225,37 @@ impl<S: Scalar> Calendar<S> {
         true
     }
 
+    /// Drops the lines of the present that hold no more, without a branch for each.
+    fn drop_stale(&mut self) {
+        let mut kept = 0;
+        for place in 0..self.present.len() {
+            let line = self.present[place];
+            self.present[kept] = line;
+            kept += usize::from(self.awaited[line.ball as usize].stamp == line.stamp);
+        }
+        self.present.truncate(kept);
+    }
+
+    /// Puts the lines of the present in order: of a few, each goes where the number of earlier ones says.
     fn sort(&mut self) {
-        self.present
-            .sort_unstable_by(|a, b| a.time.partial_cmp(&b.time).unwrap_or(core::cmp::Ordering::Equal));
+        let count = self.present.len();
+        if count > FEW_LINES {
+            let in_order = |a: &Line<S>, b: &Line<S>| a.time.partial_cmp(&b.time);
+            self.present.sort_unstable_by(|a, b| in_order(a, b).unwrap_or(Ordering::Equal));
+            return;
+        }
+        let mut times = [S::ZERO; FEW_LINES];
+        for (time, line) in times.iter_mut().zip(&self.present) {
+            *time = line.time;
+        }
+        self.spare.clear();
+        self.spare.extend_from_slice(&self.present);
+        for (place, line) in self.spare.iter().enumerate() {
+            let earlier = |times: &[S]| times.iter().map(|&time| u64::from(time < line.time)).sum::<u64>();
+            let no_later = |times: &[S]| times.iter().map(|&time| u64::from(time <= line.time)).sum::<u64>();
+            let rank = no_later(&times[..place]) + earlier(&times[place..count]);
+            self.present[rank as usize] = *line;
+        }
     }
 
     /// Whether the bins of the last round held about as many lines as they should.

@@ -305,20 +305,23 @@ impl<S: Scalar> Grid<S> {
     }
 
     #[inline(never)]
-    fn window(&self, ranges: [[i32; 2]; 2]) -> Window {
-        let [columns, rows] = [0, 1].map(|axis| {
-            let ([from, to], count) = (ranges[axis], self.count[axis] as i32);
-            let mut strip = Strip { cells: [(0, 0); 3], count: 0 };
-            for index in from..=to {
-                let round = i32::from(index >= count) - i32::from(index < 0);
-                if round == 0 || self.periodic[axis] {
-                    strip.cells[strip.count] = ((index - round * count) as usize, round as i16);
-                    strip.count += 1;
-                }
+    fn window(&self, [columns, rows]: [[i32; 2]; 2]) -> Window {
+        Window::Round { columns: self.strip(0, columns), rows: self.strip(1, rows) }
+    }
+
+    /// The columns, or rows, of a range that may go beyond the table.
+    #[inline(always)]
+    fn strip(&self, axis: usize, [from, to]: [i32; 2]) -> Strip {
+        let count = self.count[axis] as i32;
+        let mut strip = Strip { cells: [(0, 0); 3], count: 0 };
+        for index in from..=to {
+            let round = i32::from(index >= count) - i32::from(index < 0);
+            if round == 0 || self.periodic[axis] {
+                strip.cells[strip.count] = ((index - round * count) as usize, round as i16);
+                strip.count += 1;
             }
-            strip
-        });
-        Window::Round { columns, rows }
+        }
+        strip
     }
 
     /// Lists the balls of some cells; `false` where they are not all listed, as there are too many.
@@ -330,6 +333,7 @@ impl<S: Scalar> Grid<S> {
             Window::Inside { first, .. } => self.list_inside::<1, 3>(first, candidates),
             Window::Round { .. } => {
                 let mut has_room = true;
+                candidates.clear(true);
                 self.each_cell(window, |cell, round| {
                     let places = &self.balls[cell * self.places..(cell + 1) * self.places];
                     has_room &= candidates.add_cell(places, self.filled[cell], round);

@@ -5,7 +5,8 @@ use super::calendar::Calendar;
 use super::discs::Discs;
 use super::grid::{Grid, MOST_ROUNDS, Side, Window};
 use super::queue::{Pending, Target};
-use super::simd::{Candidates, Nearest, Touch, fetch, first_meeting};
+use super::simd::{Candidates, Nearest, Question, Touch, fetch, first_meeting, first_meetings};
+use crate::detect::squared_tolerance;
 use crate::flight::Flight;
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;
@@ -19,17 +20,21 @@ const FETCHED_FROM: usize = 30_000;
 pub(super) struct Many<S> {
     pub(super) grid: Grid<S>,
     pub(super) calendar: Calendar<S>,
+    /// The squared gaps up to which any two may be in contact, and up to which they surely are.
+    near: [S; 2],
     is_fetched: bool,
 }
 
 impl<S: Scalar> Many<S> {
     /// For the balls of a system; `None` where the table is too small for cells.
     pub(super) fn new(system: &System<S>) -> Option<Self> {
-        let radii = system.discs.iter().map(|disc| disc.radius);
-        let largest = radii.fold(S::ZERO, |most, radius| if radius > most { radius } else { most });
+        let radii = || system.discs.iter().map(|disc| disc.radius);
+        let largest = radii().fold(S::ZERO, |most, radius| if radius > most { radius } else { most });
+        let smallest = radii().fold(largest, |least, radius| if radius < least { radius } else { least });
         let count = system.discs.len();
         let grid = Grid::new(&system.bounds, largest + largest, count, system.periodic)?;
-        Some(Self { grid, calendar: Calendar::new(count), is_fetched: count >= FETCHED_FROM })
+        let near = [largest, smallest].map(|radius| squared_tolerance(&system.tolerance, radius + radius));
+        Some(Self { grid, calendar: Calendar::new(count), near, is_fetched: count >= FETCHED_FROM })
     }
 
     /// Puts the balls where their flights have brought them by a time.
@@ -119,15 +124,31 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     pub(super) fn meeting_near(&self, own: &Ball<S>, struck: Target, next: Pending<S>) -> Option<Pending<S>> {
         let window = self.many.as_ref()?.grid.around(own.cell);
-        let touch = match struck {
-            Target::Ball(other, _) => Touch::Struck(other),
-            Target::Cushion(_) => Touch::Struck(own.number),
-            Target::Nothing | Target::Release(_) => Touch::Parting,
-        };
-        self.meeting_in(&window, own, touch, next)
+        self.meeting_in(&window, own, Touch::of(struck, own), next)
     }
 
-    /// The same in some cells.
+    /// The same of two balls, which are not in each other's way.
+    #[inline(always)]
+    pub(super) fn meetings_near(
+        &self,
+        [a, b]: [&Ball<S>; 2],
+        struck: [Target; 2],
+        next: [Pending<S>; 2],
+    ) -> Option<[Pending<S>; 2]> {
+        let grid = &self.many.as_ref()?.grid;
+        let (window_a, window_b) = (grid.around(a.cell), grid.around(b.cell));
+        let mut asked_a = self.question(a, Touch::of(struck[0], a), next[0]);
+        let mut asked_b = self.question(b, Touch::of(struck[1], b), next[1]);
+        let is_clear =
+            if grid.list(&window_a, &mut asked_a.candidates) & grid.list(&window_b, &mut asked_b.candidates) {
+                first_meetings(&mut asked_a, &mut asked_b)
+            } else {
+                self.ask_in_parts(&window_a, &mut asked_a) & self.ask_in_parts(&window_b, &mut asked_b)
+            };
+        is_clear.then(|| [self.answer(&asked_a, next[0]), self.answer(&asked_b, next[1])])
+    }
+
+    /// What a ball meets in some cells.
     #[inline(always)]
     fn meeting_in(
         &self,
@@ -137,52 +158,51 @@ impl<S: Scalar> Discs<S> {
         next: Pending<S>,
     ) -> Option<Pending<S>> {
         let grid = &self.many.as_ref()?.grid;
-        let known = if let Target::Ball(other, _) = next.target { i64::from(other) } else { -1 };
-        let mut nearest = Nearest { time: next.time, offset: next.offset, other: known };
-        let mut candidates = Candidates::none(matches!(window, Window::Round { .. }));
-        let is_clear = if grid.list(window, &mut candidates) {
-            self.ask(own, touch, &mut candidates, &mut nearest)
+        let mut asked = self.question(own, touch, next);
+        let is_clear = if grid.list(window, &mut asked.candidates) {
+            first_meeting(&mut asked)
         } else {
-            self.ask_in_parts(window, own, touch, &mut nearest)
+            self.ask_in_parts(window, &mut asked)
         };
-        if !is_clear {
-            return None;
-        }
-        let Nearest { time, offset, other } = nearest;
+        is_clear.then(|| self.answer(&asked, next))
+    }
+
+    #[inline(always)]
+    fn question<'a>(&'a self, own: &'a Ball<S>, touch: Touch, next: Pending<S>) -> Question<'a, S> {
+        let period = self.system.is_periodic().then(|| self.system.extent());
+        let near = self.many.as_ref().map_or([S::ZERO; 2], |many| many.near);
+        let (balls, tolerance) = (&self.balls, &self.system.tolerance);
+        let nearest = Nearest { time: next.time, offset: next.offset, other: known(next) };
+        Question { balls, own, touch, period, tolerance, near, candidates: Candidates::none(own.number), nearest }
+    }
+
+    /// What a question has found, where `next` was known before.
+    #[inline(always)]
+    fn answer(&self, asked: &Question<S>, next: Pending<S>) -> Pending<S> {
+        let Nearest { time, offset, other } = asked.nearest;
         // The same ball may be met sooner than was thought before it changed its course.
-        if other == known && time == next.time {
-            return Some(next);
+        if other == known(next) && time == next.time {
+            return next;
         }
         let target = Target::Ball(other as u32, self.balls[other as usize].changes);
-        Some(Pending { time, offset, target })
+        Pending { time, offset, target }
     }
 
     /// Asks the balls of some cells where they are too many to be listed at once.
     #[cold]
     #[inline(never)]
-    fn ask_in_parts(&self, window: &Window, own: &Ball<S>, touch: Touch, nearest: &mut Nearest<S>) -> bool {
+    fn ask_in_parts(&self, window: &Window, asked: &mut Question<S>) -> bool {
         let Some(Many { grid, .. }) = &self.many else { return true };
-        let (mut candidates, mut is_clear) = (Candidates::none(true), true);
+        let mut is_clear = true;
+        asked.candidates.clear(true);
         grid.each_four(window, |four, count, round| {
-            if !candidates.has_room_for(4) {
-                is_clear &= self.ask(own, touch, &mut candidates, nearest);
-                candidates = Candidates::none(true);
+            if !asked.candidates.has_room_for(4) {
+                is_clear &= first_meeting(asked);
+                asked.candidates.clear(true);
             }
-            candidates.add_cell(four, count.min(4) as u32, round);
+            asked.candidates.add_cell(four, count.min(4) as u32, round);
         });
-        is_clear & self.ask(own, touch, &mut candidates, nearest)
-    }
-
-    #[inline(always)]
-    fn ask(
-        &self,
-        own: &Ball<S>,
-        touch: Touch,
-        candidates: &mut Candidates,
-        nearest: &mut Nearest<S>,
-    ) -> bool {
-        let period = self.system.is_periodic().then(|| self.system.extent());
-        first_meeting(&self.balls, own, touch, candidates, period, &self.system.tolerance, nearest)
+        is_clear & first_meeting(asked)
     }
 
     /// How often the table lies between where another ball's flight says that it is, and where a ball sees it in a cell that
@@ -239,5 +259,23 @@ impl<S: Scalar> Discs<S> {
         }
         fetch(&self.balls, ball);
         fetch(&self.system.discs, ball);
+    }
+}
+
+/// The other ball of a meeting that is known, below zero if there is none.
+#[inline(always)]
+fn known<S>(next: Pending<S>) -> i64 {
+    if let Target::Ball(other, _) = next.target { i64::from(other) } else { -1 }
+}
+
+impl Touch {
+    /// After a ball's contact with `struck`.
+    #[inline(always)]
+    fn of<S>(struck: Target, own: &Ball<S>) -> Self {
+        match struck {
+            Target::Ball(other, _) => Self::Struck(other),
+            Target::Cushion(_) => Self::Struck(own.number),
+            Target::Nothing | Target::Release(_) => Self::Parting,
+        }
     }
 }

@@ -86,12 +86,35 @@ impl<S: Scalar> Discs<S> {
     /// The same of one of many balls.
     #[inline(always)]
     fn next_on_line(&self, line: &Ball<S>, flight: &Flight<S>, struck: Target) -> Option<Pending<S>> {
-        let next = if self.system.faces.is_open {
-            Pending::NEVER
-        } else {
-            self.next_cushion_in_the_clear(line.radius, flight, struck)?
-        };
+        let next = self.next_cushion_of_many(line, flight, struck)?;
         self.meeting_near(line, struck, next)
+    }
+
+    #[inline(always)]
+    fn next_cushion_of_many(&self, line: &Ball<S>, flight: &Flight<S>, struck: Target) -> Option<Pending<S>> {
+        if self.system.faces.is_open {
+            return Some(Pending::NEVER);
+        }
+        self.next_cushion_in_the_clear(line.radius, flight, struck)
+    }
+
+    /// The next events of two balls on new flights after their contact.
+    #[inline(always)]
+    pub(super) fn next_of_two<const MANY: bool>(
+        &self,
+        [a, b]: [usize; 2],
+        flights: [&Flight<S>; 2],
+    ) -> Option<[Pending<S>; 2]> {
+        let struck = [Target::Ball(b as u32, 0), Target::Ball(a as u32, 0)];
+        if MANY {
+            let (line_a, line_b) = (self.line_of(a, flights[0]), self.line_of(b, flights[1]));
+            let next_a = self.next_cushion_of_many(&line_a, flights[0], struck[0])?;
+            let next_b = self.next_cushion_of_many(&line_b, flights[1], struck[1])?;
+            self.meetings_near([&line_a, &line_b], struck, [next_a, next_b])
+        } else {
+            let next = self.next_in_the_clear(a, flights[0], struck[0])?;
+            Some([next, self.next_in_the_clear(b, flights[1], struck[1])?])
+        }
     }
 
     /// The first cushion that a ball in straight flight meets, where none can hide; `None` where one but `struck` is in touch.

@@ -145,9 +145,7 @@ impl<S: Scalar> Discs<S> {
         let [a, b] = if ball < other { [ball, other] } else { [other, ball] };
         let collision = self.collision::<MANY>([a, b], time, offset);
         let [flight_a, flight_b] = collision.after().map(|state| self.free_flight(time, state));
-        let next_a = self.next_on::<MANY>(a, &flight_a, Target::Ball(b as u32, 0));
-        let next_b = self.next_on::<MANY>(b, &flight_b, Target::Ball(a as u32, 0));
-        if let (Some(next_a), Some(next_b)) = (next_a, next_b) {
+        if let Some([next_a, next_b]) = self.next_of_two::<MANY>([a, b], [&flight_a, &flight_b]) {
             for (ball, flight, next) in [(a, flight_a, next_a), (b, flight_b, next_b)] {
                 self.begin_flight(ball, flight);
                 self.schedule_with::<MANY>(ball, next);
@@ -168,23 +166,27 @@ impl<S: Scalar> Discs<S> {
         Struck { ball, flight, rounds, held_by: self.rest[ball].track.held_by, elapsed }
     }
 
+    /// The state some time after the later start of two flights.
+    #[inline(always)]
+    fn state_at_contact(&self, flight: &Flight<S>, start: S, offset: S) -> State<S> {
+        let State { position, velocity } = self.state_after(flight, start - flight.start);
+        self.state_after(&Flight { position, velocity, ..*flight }, offset)
+    }
+
     #[inline(always)]
     fn collision<const MANY: bool>(&self, balls: [usize; 2], time: S, offset: S) -> Collision<S> {
-        let discs = balls.map(|ball| self.system.discs[ball]);
-        let [a, b] = balls.map(|ball| self.flight(ball));
-        let start = a.later_start(&b);
-        let mut before = [a, b].map(|flight| {
-            let State { position, velocity } = self.state_after(&flight, start - flight.start);
-            self.state_after(&Flight { position, velocity, ..flight }, offset)
-        });
+        let [a, b] = balls;
+        let discs = [self.system.discs[a], self.system.discs[b]];
+        let (flight_a, flight_b) = (self.flight(a), self.flight(b));
+        let start = flight_a.later_start(&flight_b);
+        let mut before = [self.state_at_contact(&flight_a, start, offset), self.state_at_contact(&flight_b, start, offset)];
         let mut separation = before[1].position - before[0].position;
         if MANY {
-            for (state, ball) in before.iter_mut().zip(balls) {
-                state.position = self.system.wrapped(state.position, self.balls[ball].rounds);
-            }
+            before[0].position = self.system.wrapped(before[0].position, self.balls[a].rounds);
+            before[1].position = self.system.wrapped(before[1].position, self.balls[b].rounds);
             separation = self.system.shortest(before[1].position - before[0].position);
         }
-        let pair = Pair::new([&discs[0], &discs[1]], separation, before.map(|state| state.velocity));
+        let pair = Pair::new([&discs[0], &discs[1]], separation, [before[0].velocity, before[1].velocity]);
         let law = self.ball_law(balls[0], balls[1], time);
         let kept_speed = self.kept_speed(balls[0], Some(balls[1]));
         let own = law.restitution(pair.closing_speed);
