@@ -23,17 +23,18 @@ const MOST_LANES: usize = 8;
 /// Room for them, and for what is written over before it is known how many there are.
 const ROOM: usize = MOST + 28;
 
-/// Balls that may be met, by their numbers.
-#[repr(align(64))]
+/// Balls that may be met, by their numbers. What is not written at first comes last: before the count, the compiler would
+/// clear it along with that.
+#[repr(C, align(64))]
 pub struct Candidates {
-    /// Only the first `count` are known, and in [`Candidates::close`] some more.
-    numbers: [MaybeUninit<u32>; ROOM],
-    /// Where `is_round`: how often one has gone round the table to see each; otherwise nobody has.
-    rounds: [MaybeUninit<[i16; 2]>; ROOM],
     count: usize,
     /// The ball that asks.
     asker: u32,
     is_round: bool,
+    /// Only the first `count` are known, and after [`Candidates::close`] some more.
+    numbers: MaybeUninit<[u32; ROOM]>,
+    /// Where `is_round`: how often one has gone round the table to see each; otherwise nobody has.
+    rounds: MaybeUninit<[[i16; 2]; ROOM]>,
 }
 
 /// The first meeting found so far.
@@ -60,8 +61,8 @@ impl Candidates {
     /// Nobody yet whom a ball may meet.
     #[inline(always)]
     pub fn none(asker: u32) -> Self {
-        let (numbers, rounds) = ([MaybeUninit::uninit(); ROOM], [MaybeUninit::uninit(); ROOM]);
-        Self { numbers, rounds, count: 0, asker, is_round: false }
+        let (numbers, rounds) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+        Self { count: 0, asker, is_round: false, numbers, rounds }
     }
 
     /// Nobody again; whether one goes round to see any.
@@ -105,7 +106,7 @@ impl Candidates {
                 unsafe {
                     let count = *filled.get_unchecked(cell);
                     let from = places.as_ptr().add(cell * width);
-                    core::ptr::copy_nonoverlapping(from, self.numbers.as_mut_ptr().add(self.count).cast(), 4);
+                    core::ptr::copy_nonoverlapping(from, self.numbers_from(self.count), 4);
                     most = if count > most { count } else { most };
                     // Of a cell with more than four, no more than seven: the answer is no anyway.
                     self.count += (count & 7) as usize;
@@ -124,26 +125,48 @@ impl Candidates {
         }
         // SAFETY: there are four places, and room for four.
         unsafe {
-            let (numbers, rounds) = (self.numbers.as_mut_ptr(), self.rounds.as_mut_ptr());
-            core::ptr::copy_nonoverlapping(places.as_ptr(), numbers.add(self.count).cast(), 4);
-            rounds.add(self.count).cast::<[[i16; 2]; 4]>().write_unaligned([round; 4]);
+            core::ptr::copy_nonoverlapping(places.as_ptr(), self.numbers_from(self.count), 4);
+            self.rounds_from(self.count).cast::<[[i16; 2]; 4]>().write_unaligned([round; 4]);
         }
         self.count += filled.min(4) as usize;
         filled <= 4
     }
 
-    /// The balls.
+    /// From where on the numbers of balls go.
+    ///
+    /// # Safety
+    ///
+    /// No more have been taken than there is room for.
     #[inline(always)]
+    unsafe fn numbers_from(&mut self, place: usize) -> *mut u32 {
+        // SAFETY: as of this function.
+        unsafe { self.numbers.as_mut_ptr().cast::<u32>().add(place) }
+    }
+
+    /// The same for how often one has gone round.
+    ///
+    /// # Safety
+    ///
+    /// No more have been taken than there is room for.
+    #[inline(always)]
+    unsafe fn rounds_from(&mut self, place: usize) -> *mut [i16; 2] {
+        // SAFETY: as of this function.
+        unsafe { self.rounds.as_mut_ptr().cast::<[i16; 2]>().add(place) }
+    }
+
+    /// The balls.
     fn numbers(&self) -> &[u32] {
-        let known = &self.numbers[..self.count];
         // SAFETY: the first `count` have been written.
-        unsafe { &*(core::ptr::from_ref(known) as *const [u32]) }
+        unsafe { core::slice::from_raw_parts(self.numbers.as_ptr().cast(), self.count) }
     }
 
     /// How often one has gone round to see one of the balls.
     fn round(&self, place: usize) -> [i16; 2] {
+        if !self.is_round || place >= self.count {
+            return [0; 2];
+        }
         // SAFETY: where it is said that they are round, the first `count` have been written.
-        if self.is_round && place < self.count { unsafe { self.rounds[place].assume_init() } } else { [0; 2] }
+        unsafe { *self.rounds.as_ptr().cast::<[i16; 2]>().add(place) }
     }
 
     /// Fills what a group of lanes would see after the last with the ball that asks, which never meets itself.
@@ -151,10 +174,10 @@ impl Candidates {
     fn close(&mut self) {
         // SAFETY: there is room for so many more than the most that are counted.
         unsafe {
-            let numbers = self.numbers.as_mut_ptr().add(self.count);
+            let numbers = self.numbers_from(self.count);
             numbers.cast::<[u32; MOST_LANES]>().write_unaligned([self.asker; MOST_LANES]);
             if self.is_round {
-                let rounds = self.rounds.as_mut_ptr().add(self.count);
+                let rounds = self.rounds_from(self.count);
                 rounds.cast::<[[i16; 2]; MOST_LANES]>().write_unaligned([[0; 2]; MOST_LANES]);
             }
         }

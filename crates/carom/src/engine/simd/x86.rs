@@ -9,8 +9,8 @@ use core::mem::MaybeUninit;
 /// When each candidate is met: the time, and the offset, which means nothing where the time is infinite.
 #[repr(align(64))]
 struct Answers {
-    times: [MaybeUninit<f64>; ROOM],
-    offsets: [MaybeUninit<f64>; ROOM],
+    times: MaybeUninit<[f64; ROOM]>,
+    offsets: MaybeUninit<[f64; ROOM]>,
 }
 
 /// Answers a question; `false`, and nothing is known, where a candidate may be in touch, or there are no wide registers.
@@ -49,7 +49,7 @@ fn has_four() -> bool {
 impl Answers {
     #[inline(always)]
     fn none() -> Self {
-        Self { times: [MaybeUninit::uninit(); ROOM], offsets: [MaybeUninit::uninit(); ROOM] }
+        Self { times: MaybeUninit::uninit(), offsets: MaybeUninit::uninit() }
     }
 
     /// Takes the candidate at `place` if it is met before `nearest`; of two at one time that with the lower number.
@@ -61,9 +61,8 @@ impl Answers {
     unsafe fn take(&self, place: usize, candidates: &Candidates, nearest: &mut Nearest<f64>) {
         // SAFETY: as of this function.
         let (time, offset, other) = unsafe {
-            let other = candidates.numbers.get_unchecked(place).assume_init();
-            let (times, offsets) = (self.times.get_unchecked(place), self.offsets.get_unchecked(place));
-            (times.assume_init(), offsets.assume_init(), i64::from(other))
+            let at = |numbers: &MaybeUninit<[f64; ROOM]>| *numbers.as_ptr().cast::<f64>().add(place);
+            (at(&self.times), at(&self.offsets), i64::from(*candidates.numbers.as_ptr().cast::<u32>().add(place)))
         };
         if time < nearest.time || (time == nearest.time && other < nearest.other) {
             *nearest = Nearest { time, offset, other };
@@ -150,7 +149,7 @@ macro_rules! first_meetings {
             let mut from = 0;
             while from < candidates.count {
                 // SAFETY: as of this function.
-                let times = unsafe { answers.times.as_ptr().add(from).cast() };
+                let times = unsafe { answers.times.as_ptr().cast::<f64>().add(from) };
                 first |= bits(same_real(unsafe { load(times) }, all(time))) << from;
                 from += LANES;
             }
@@ -195,11 +194,11 @@ macro_rules! first_meetings {
                 // SAFETY: as of this function; as many numbers as lanes follow the last candidate, and as many rounds where
                 // there are any, and there is room for as many answers.
                 unsafe {
-                    let numbers = candidates.numbers.as_ptr().add(from).cast();
-                    let rounds = candidates.is_round.then(|| candidates.rounds.as_ptr().add(from).cast());
+                    let numbers = candidates.numbers.as_ptr().cast::<u32>().add(from);
+                    let rounds = candidates.is_round.then(|| candidates.rounds.as_ptr().cast::<[i16; 2]>().add(from));
                     let (time, offset, near) = ask(balls.as_ptr(), numbers, &asker, rounds);
-                    store(answers.times.as_mut_ptr().add(from).cast(), time);
-                    store(answers.offsets.as_mut_ptr().add(from).cast(), offset);
+                    store(answers.times.as_mut_ptr().cast::<f64>().add(from), time);
+                    store(answers.offsets.as_mut_ptr().cast::<f64>().add(from), offset);
                     first = lower(first, time);
                     is_near = or(is_near, near);
                 }
