@@ -20,6 +20,9 @@ const LINES: [f64; 2] = [12.0, 4096.0];
 /// The calendar reaches over so many times the time in which a quarter of the balls has an event.
 const REACH: f64 = 16.0;
 
+/// No time is in a later bin.
+const MOST_BINS: f64 = (1_u64 << 50) as f64;
+
 /// Lines that are put in order by counting.
 const FEW_LINES: usize = 48;
 
@@ -32,7 +35,7 @@ pub struct Awaited<S> {
     /// What it meets next, if that comes before it leaves its cell.
     pub meeting: Pending<S>,
     /// When it leaves its cell.
-    pub way_out: S,
+    pub way_out: f64,
     /// Where.
     pub side: Side,
     /// Tells the line of this from those of before.
@@ -73,17 +76,18 @@ pub struct Calendar<S> {
 }
 
 impl<S: Scalar> Awaited<S> {
-    const NOTHING: Self = Self { meeting: Pending::NEVER, way_out: S::INFINITY, side: Side::Left, stamp: 0 };
+    const NOTHING: Self =
+        Self { meeting: Pending::NEVER, way_out: f64::INFINITY, side: Side::Left, stamp: 0 };
 
     /// Whether the ball leaves its cell before it meets anything; at one time that comes first.
     #[inline(always)]
     pub fn leaves(&self) -> bool {
-        self.way_out <= self.meeting.time
+        self.way_out <= self.meeting.time.to_f64()
     }
 
     #[inline(always)]
     fn time(&self) -> S {
-        if self.leaves() { self.way_out } else { self.meeting.time }
+        if self.leaves() { S::from_f64(self.way_out) } else { self.meeting.time }
     }
 
     /// The order of what comes at one time: whoever leaves a cell, then by the lower number.
@@ -128,7 +132,7 @@ impl<S: Scalar> Calendar<S> {
 
     /// Writes down what a ball is about to do.
     #[inline(always)]
-    pub fn set(&mut self, ball: usize, meeting: Pending<S>, way_out: S, side: Side) {
+    pub fn set(&mut self, ball: usize, meeting: Pending<S>, way_out: f64, side: Side) {
         let awaited = &mut self.awaited[ball];
         let stamp = awaited.stamp.wrapping_add(1);
         *awaited = Awaited { meeting, way_out, side, stamp };
@@ -139,11 +143,10 @@ impl<S: Scalar> Calendar<S> {
     #[inline(always)]
     fn write(&mut self, line: Line<S>) {
         // What comes before the bin of the present belongs to it, infinite times beyond all bins.
-        let bin = ((line.time.to_f64() - self.origin) * self.rate) as i64 as u64;
-        let ahead = bin.wrapping_sub(self.bin) as i64;
+        let ahead = self.bin_of(line.time.to_f64()).wrapping_sub(self.bin) as i64;
         if ahead > 0 && (ahead as usize) < self.bins.len() {
             let last = self.bins.len() - 1;
-            let bin = &mut self.bins[bin as usize & last];
+            let bin = &mut self.bins[self.bin.wrapping_add(ahead as u64) as usize & last];
             if bin.len() == bin.capacity() {
                 make_room(bin);
             }
@@ -153,6 +156,15 @@ impl<S: Scalar> Calendar<S> {
         } else if line.time < S::INFINITY {
             self.later.push(line);
         }
+    }
+
+    /// The bin of a time, by the last bits of a number that is too large for others.
+    #[inline(always)]
+    fn bin_of(&self, time: f64) -> u64 {
+        const WHOLE: f64 = (1_u64 << 52) as f64;
+        let bins = (time - self.origin) * self.rate;
+        let bins = if bins < MOST_BINS { bins } else { MOST_BINS };
+        (bins + WHOLE).to_bits().wrapping_sub(WHOLE.to_bits())
     }
 
     /// Puts a line into the bin of the present.

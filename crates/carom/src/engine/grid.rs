@@ -7,8 +7,12 @@
 
 use super::ball::Ball;
 use super::simd::{Candidates, fetch};
-use crate::geometry::{Bounds, Vec2};
+use crate::geometry::Bounds;
 use crate::scalar::Scalar;
+
+/// A cell is this part as wide as the square that each ball has for itself, if that is enough for a ball: larger ones hold
+/// more balls that are too far away, smaller ones are left too often.
+const ROOM: f64 = 0.8;
 
 /// Fewer cells than these are not worth having.
 const FEWEST_CELLS: f64 = 25.0;
@@ -42,16 +46,16 @@ pub enum Side {
     Above,
 }
 
-/// The cells of a table, and who is in them.
+/// The cells of a table, and who is in them. In whatever number a run is computed, these are in `f64`.
 #[derive(Clone, Debug)]
-pub struct Grid<S> {
-    lower: Vec2<S>,
+pub struct Grid {
+    lower: [f64; 2],
     /// Of the table; what an axis is long.
-    extent: Vec2<S>,
+    extent: [f64; 2],
     /// Of a cell.
-    size: Vec2<S>,
+    size: [f64; 2],
     /// Where cells end, from the lower end of each axis on; infinitely far where the table does and nobody goes round.
-    edges: [Vec<S>; 2],
+    edges: [Vec<f64>; 2],
     /// Columns and rows.
     count: [usize; 2],
     periodic: [bool; 2],
@@ -103,15 +107,19 @@ impl Side {
     }
 }
 
-impl<S: Scalar> Grid<S> {
-    /// Cells for `balls` balls of up to a diameter inside some bounds, about one for each ball; `None` where they would be too
-    /// few.
-    pub fn new(bounds: &Bounds<S>, diameter: S, balls: usize, periodic: [bool; 2]) -> Option<Self> {
+impl Grid {
+    /// Cells for `balls` balls of up to a diameter inside some bounds; `None` where they would be too few.
+    pub fn new<S: Scalar>(
+        bounds: &Bounds<S>,
+        diameter: S,
+        balls: usize,
+        periodic: [bool; 2],
+    ) -> Option<Self> {
         let extent = bounds.max - bounds.min;
         let [width, height] = [extent.x.to_f64(), extent.y.to_f64()];
         let room_for_one = (width * height / balls.max(1) as f64).sqrt();
         let least = diameter.to_f64() * (1.0 + SLACK);
-        let wanted = least.max(room_for_one);
+        let wanted = least.max(ROOM * room_for_one);
         let along = |length: f64, is_periodic: bool| {
             let count = (length / wanted).floor().clamp(1.0, MOST_CELLS);
             let fewest = (length / least).floor().min(FEWEST_ROUND);
@@ -122,13 +130,13 @@ impl<S: Scalar> Grid<S> {
         if wanted <= 0.0 || (columns * rows < FEWEST_CELLS && !goes_round) {
             return None;
         }
-        let size = Vec2::new(extent.x / S::from_f64(columns), extent.y / S::from_f64(rows));
+        let (size, extent) = ([width / columns, height / rows], [width, height]);
         let count = [columns as usize, rows as usize];
         let cells = count[0] * count[1];
         let (balls, filled) = (vec![0; cells * FEW], vec![0; cells]);
-        let along = [(size.x, extent.x), (size.y, extent.y)];
-        let edges = [0, 1].map(|axis| edges(along[axis], count[axis], periodic[axis]));
-        Some(Self { lower: bounds.min, extent, size, edges, count, periodic, places: FEW, balls, filled })
+        let edges = [0, 1].map(|axis| edges(size[axis], extent[axis], count[axis], periodic[axis]));
+        let lower = [bounds.min.x.to_f64(), bounds.min.y.to_f64()];
+        Some(Self { lower, extent, size, edges, count, periodic, places: FEW, balls, filled })
     }
 
     /// Takes all balls out.
@@ -142,27 +150,27 @@ impl<S: Scalar> Grid<S> {
     }
 
     /// Puts a ball, which has not gone round yet, into the cell where its flight has brought it by a time.
-    pub fn place(&mut self, ball: &mut Ball<S>, time: S) {
-        let from = ball.position + ball.velocity * (time - ball.start) - self.lower;
-        let (place, size, extent) =
-            ([from.x, from.y], [self.size.x, self.size.y], [self.extent.x, self.extent.y]);
+    pub fn place<S: Scalar>(&mut self, ball: &mut Ball<S>, time: S) {
+        let there = ball.position + ball.velocity * (time - ball.start);
+        let there = [there.x.to_f64(), there.y.to_f64()];
         ball.rounds = [0; 2];
         for axis in 0..2 {
-            let mut along = place[axis];
+            let mut along = there[axis] - self.lower[axis];
             if self.periodic[axis] {
-                let rounds = (along / extent[axis]).to_f64().floor();
+                let rounds = (along / self.extent[axis]).floor();
                 ball.rounds[axis] = rounds as i16;
-                along -= extent[axis] * S::from_f64(rounds);
+                along -= self.extent[axis] * rounds;
             }
             let last = self.count[axis] as f64 - 1.0;
-            ball.cell[axis] = (along / size[axis]).to_f64().clamp(0.0, last) as u16;
+            ball.cell[axis] = (along / self.size[axis]).clamp(0.0, last) as u16;
         }
-        self.settle(ball, time);
+        self.settle(ball, time.to_f64());
         self.enter(ball);
     }
 
     /// Corrects the cell of a ball by the times at which it crosses sides: they decide, not where it seems to be.
-    fn settle(&self, ball: &mut Ball<S>, time: S) {
+    fn settle<S: Scalar>(&self, ball: &mut Ball<S>, time: f64) {
+        let leaves = |ball: &Ball<S>, axis| ball.start.to_f64() + self.leaves(ball, axis);
         for (axis, velocity) in [ball.velocity.x, ball.velocity.y].into_iter().enumerate() {
             if velocity == S::ZERO {
                 continue;
@@ -174,19 +182,19 @@ impl<S: Scalar> Grid<S> {
                 if !self.turn(&mut before, axis, !is_up) {
                     break;
                 }
-                if before.start + self.leaves(&before, axis, velocity) > time {
+                if leaves(&before, axis) > time {
                     *ball = before;
                 } else {
                     break;
                 }
             }
-            while ball.start + self.leaves(ball, axis, velocity) <= time && self.turn(ball, axis, is_up) {}
+            while leaves(ball, axis) <= time && self.turn(ball, axis, is_up) {}
         }
     }
 
     /// Moves a ball's cell by one along an axis; says whether there is one.
     #[inline(always)]
-    fn turn(&self, ball: &mut Ball<S>, axis: usize, is_up: bool) -> bool {
+    fn turn<S>(&self, ball: &mut Ball<S>, axis: usize, is_up: bool) -> bool {
         let last = (self.count[axis] - 1) as u16;
         let (edge, beyond, round) = if is_up { (last, 0, 1) } else { (0, last, -1) };
         let cell = &mut ball.cell[axis];
@@ -201,7 +209,7 @@ impl<S: Scalar> Grid<S> {
         true
     }
 
-    fn enter(&mut self, ball: &Ball<S>) {
+    fn enter<S>(&mut self, ball: &Ball<S>) {
         let cell = self.cell(ball.cell);
         if self.filled[cell] as usize == self.places {
             self.grow();
@@ -221,7 +229,7 @@ impl<S: Scalar> Grid<S> {
         (self.balls, self.places) = (balls, self.places * 2);
     }
 
-    fn leave(&mut self, ball: &Ball<S>) {
+    fn leave<S>(&mut self, ball: &Ball<S>) {
         let cell = self.cell(ball.cell);
         let at = cell * self.places;
         let last = self.filled[cell] as usize - 1;
@@ -234,7 +242,7 @@ impl<S: Scalar> Grid<S> {
 
     /// Moves a ball to the next cell.
     #[inline(always)]
-    pub fn cross(&mut self, ball: &mut Ball<S>, side: Side) {
+    pub fn cross<S>(&mut self, ball: &mut Ball<S>, side: Side) {
         self.leave(ball);
         let (axis, is_up) = side.axis();
         self.turn(ball, axis, is_up);
@@ -243,9 +251,8 @@ impl<S: Scalar> Grid<S> {
 
     /// When a ball in straight flight leaves its cell, from the start of the flight, and where.
     #[inline(always)]
-    pub fn way_out(&self, ball: &Ball<S>) -> (S, Side) {
-        let across = self.leaves(ball, 0, ball.velocity.x);
-        let along = self.leaves(ball, 1, ball.velocity.y);
+    pub fn way_out<S: Scalar>(&self, ball: &Ball<S>) -> (f64, Side) {
+        let (across, along) = (self.leaves(ball, 0), self.leaves(ball, 1));
         if across < along {
             (across, if ball.velocity.x > S::ZERO { Side::Right } else { Side::Left })
         } else {
@@ -255,17 +262,16 @@ impl<S: Scalar> Grid<S> {
 
     /// When a coordinate leaves its cell; never through the outer sides of an axis that is not periodic.
     #[inline(always)]
-    fn leaves(&self, ball: &Ball<S>, axis: usize, velocity: S) -> S {
-        let (extent, place) = if axis == 0 {
-            (self.extent.x, ball.position.x - self.lower.x)
+    fn leaves<S: Scalar>(&self, ball: &Ball<S>, axis: usize) -> f64 {
+        let (place, velocity) = if axis == 0 {
+            (ball.position.x.to_f64(), ball.velocity.x.to_f64())
         } else {
-            (self.extent.y, ball.position.y - self.lower.y)
+            (ball.position.y.to_f64(), ball.velocity.y.to_f64())
         };
-        let edge = self.edges[axis][ball.cell[axis] as usize + usize::from(velocity > S::ZERO)];
-        if velocity == S::ZERO || edge.abs() == S::INFINITY {
-            return S::INFINITY;
-        }
-        (edge + extent * S::from_f64(f64::from(ball.rounds[axis])) - place) / velocity
+        let edge = self.edges[axis][usize::from(ball.cell[axis]) + usize::from(velocity > 0.0)];
+        let round = self.extent[axis] * f64::from(ball.rounds[axis]);
+        let time = (edge + round - (place - self.lower[axis])) / velocity;
+        if velocity == 0.0 { f64::INFINITY } else { time }
     }
 
     /// The nine cells around a ball's.
@@ -418,11 +424,11 @@ impl<S: Scalar> Grid<S> {
 }
 
 /// Where the cells of an axis end, from its lower end on.
-fn edges<S: Scalar>((size, extent): (S, S), count: usize, is_periodic: bool) -> Vec<S> {
-    let mut edges: Vec<S> = (0..=count).map(|edge| size * S::from_f64(edge as f64)).collect();
+fn edges(size: f64, extent: f64, count: usize, is_periodic: bool) -> Vec<f64> {
+    let mut edges: Vec<f64> = (0..=count).map(|edge| size * edge as f64).collect();
     // Where the table ends, its own length counts, so that this does not depend on the cells.
-    edges[count] = if is_periodic { extent } else { S::INFINITY };
-    edges[0] = if is_periodic { S::ZERO } else { -S::INFINITY };
+    edges[count] = if is_periodic { extent } else { f64::INFINITY };
+    edges[0] = if is_periodic { 0.0 } else { f64::NEG_INFINITY };
     edges
 }
 
@@ -430,8 +436,9 @@ fn edges<S: Scalar>((size, extent): (S, S), count: usize, is_periodic: bool) -> 
 mod tests {
     #![allow(clippy::unwrap_used)]
 
-    use super::{Ball, Bounds, Grid, Vec2};
+    use super::{Ball, Bounds, Grid};
     use crate::flight::Flight;
+    use crate::geometry::Vec2;
 
     #[test]
     fn a_cell_holds_more_points_than_sixteen_bits_count() {

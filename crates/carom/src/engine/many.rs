@@ -18,7 +18,7 @@ const FETCHED_FROM: usize = 30_000;
 /// What there is for many balls.
 #[derive(Clone, Debug)]
 pub(super) struct Many<S> {
-    pub(super) grid: Grid<S>,
+    pub(super) grid: Grid,
     pub(super) calendar: Calendar<S>,
     /// The squared gaps up to which any two may be in contact, and up to which they surely are.
     near: [S; 2],
@@ -59,10 +59,10 @@ impl<S: Scalar> Discs<S> {
             if !awaited.leaves() {
                 return (awaited.meeting.time <= limit).then_some(ball);
             }
-            if awaited.way_out > limit {
+            if awaited.way_out > limit.to_f64() {
                 return None;
             }
-            let (side, meeting, time) = (awaited.side, awaited.meeting, awaited.way_out);
+            let (side, meeting, time) = (awaited.side, awaited.meeting, S::from_f64(awaited.way_out));
             self.cross(ball, side, meeting, time);
         }
     }
@@ -109,7 +109,7 @@ impl<S: Scalar> Discs<S> {
         self.diagnostics.predictions += 1;
         let line = &self.balls[ball];
         let (offset, side) = grid.way_out(line);
-        calendar.set(ball, next, line.start + offset, side);
+        calendar.set(ball, next, line.start.to_f64() + offset, side);
     }
 
     /// The line of a ball that begins a straight flight.
@@ -139,12 +139,13 @@ impl<S: Scalar> Discs<S> {
         let (window_a, window_b) = (grid.around(a.cell), grid.around(b.cell));
         let mut asked_a = self.question(a, Touch::of(struck[0], a), next[0]);
         let mut asked_b = self.question(b, Touch::of(struck[1], b), next[1]);
-        let is_clear =
-            if grid.list(&window_a, &mut asked_a.candidates) & grid.list(&window_b, &mut asked_b.candidates) {
-                first_meetings(&mut asked_a, &mut asked_b)
-            } else {
-                self.ask_in_parts(&window_a, &mut asked_a) & self.ask_in_parts(&window_b, &mut asked_b)
-            };
+        let is_clear = if grid.list(&window_a, &mut asked_a.candidates)
+            & grid.list(&window_b, &mut asked_b.candidates)
+        {
+            first_meetings(&mut asked_a, &mut asked_b)
+        } else {
+            self.ask_in_parts(&window_a, &mut asked_a) & self.ask_in_parts(&window_b, &mut asked_b)
+        };
         is_clear.then(|| [self.answer(&asked_a, next[0]), self.answer(&asked_b, next[1])])
     }
 
@@ -173,7 +174,16 @@ impl<S: Scalar> Discs<S> {
         let near = self.many.as_ref().map_or([S::ZERO; 2], |many| many.near);
         let (balls, tolerance) = (&self.balls, &self.system.tolerance);
         let nearest = Nearest { time: next.time, offset: next.offset, other: known(next) };
-        Question { balls, own, touch, period, tolerance, near, candidates: Candidates::none(own.number), nearest }
+        Question {
+            balls,
+            own,
+            touch,
+            period,
+            tolerance,
+            near,
+            candidates: Candidates::none(own.number),
+            nearest,
+        }
     }
 
     /// What a question has found, where `next` was known before.

@@ -292,7 +292,9 @@ mod x86;
 
 #[cfg(test)]
 mod tests {
-    use super::{Ball, Candidates, Nearest, Question, Touch, first_meeting_plain, first_meetings};
+    use super::{
+        Ball, Candidates, Nearest, Question, Touch, first_meeting, first_meeting_plain, first_meetings,
+    };
     use crate::detect::squared_tolerance;
     use crate::flight::Flight;
     use crate::geometry::Vec2;
@@ -338,34 +340,45 @@ mod tests {
             let touch =
                 if random.below(2) == 0 { Touch::Parting } else { Touch::Struck(random.below(40) as u32) };
             let is_round = random.below(2) == 0;
-            let mut candidates = [Candidates::none(is_round)];
-            for _ in 0..random.below(4) {
-                let places = [0; 12].map(|_| random.below(40) as u32);
-                let filled = [0; 3].map(|_| random.below(5) as u32);
-                let round = [random.below(3) as i16 - 1, random.below(3) as i16 - 1];
-                let has_room = if is_round {
-                    candidates[0].add_cell(&places, filled[0], round)
-                } else {
-                    candidates[0].add_cells::<1, 3>((&places, 4), &filled, 0, 1)
-                };
-                assert!(has_room);
-            }
+            let cells: Vec<_> = (0..random.below(4))
+                .map(|_| {
+                    let places = [0; 12].map(|_| random.below(40) as u32);
+                    let filled = [0; 3].map(|_| random.below(5) as u32);
+                    (places, filled, [random.below(3) as i16 - 1, random.below(3) as i16 - 1])
+                })
+                .collect();
             let time = if random.below(2) == 0 { f64::INFINITY } else { 2.0 * random.unit() };
             let other = if time < f64::INFINITY { random.below(41) as i64 - 1 } else { -1 };
-            let before = Nearest { time, offset: time, other };
+            let nearest = Nearest { time, offset: time, other };
             for period in [None, Some(Vec2::new(6.0, 7.0))] {
                 let near = [0.6, 0.0].map(|radii| squared_tolerance(&tolerance, radii));
-                let question = Question { balls: &balls, own: &own, touch, period, tolerance: &tolerance, near };
-                let (mut wide, mut plain) = ([before], before);
-                let [found] = first_meetings(&[question], &mut candidates, &mut wide);
-                let twin = first_meeting_plain(&question, &candidates[0], &mut plain);
-                let [wide] = wide;
-                answers[usize::from(twin)] += 1;
-                assert_eq!(found, twin);
-                if twin {
-                    assert_eq!(wide.time.to_bits(), plain.time.to_bits());
-                    assert_eq!(wide.offset.to_bits(), plain.offset.to_bits());
-                    assert_eq!(wide.other, plain.other);
+                let (balls, own, tolerance) = (&balls, &own, &tolerance);
+                let mut asked = [(); 4].map(|()| {
+                    let candidates = Candidates::none(own.number);
+                    Question { balls, own, touch, period, tolerance, near, candidates, nearest }
+                });
+                for question in &mut asked {
+                    question.candidates.clear(is_round);
+                    for (places, filled, round) in &cells {
+                        let candidates = &mut question.candidates;
+                        assert!(if is_round {
+                            candidates.add_cell(places, filled[0], *round)
+                        } else {
+                            candidates.add_cells::<1, 3>((places, 4), filled, 0, 1)
+                        });
+                    }
+                }
+                let [plain, wide, first, second] = &mut asked;
+                let is_clear = first_meeting_plain(plain);
+                answers[usize::from(is_clear)] += 1;
+                assert_eq!(first_meeting(wide), is_clear);
+                assert_eq!(first_meetings(first, second), is_clear);
+                for found in [&wide.nearest, &first.nearest, &second.nearest] {
+                    if is_clear {
+                        assert_eq!(found.time.to_bits(), plain.nearest.time.to_bits());
+                        assert_eq!(found.offset.to_bits(), plain.nearest.offset.to_bits());
+                        assert_eq!(found.other, plain.nearest.other);
+                    }
                 }
             }
         }

@@ -179,7 +179,10 @@ impl<S: Scalar> Discs<S> {
         let discs = [self.system.discs[a], self.system.discs[b]];
         let (flight_a, flight_b) = (self.flight(a), self.flight(b));
         let start = flight_a.later_start(&flight_b);
-        let mut before = [self.state_at_contact(&flight_a, start, offset), self.state_at_contact(&flight_b, start, offset)];
+        let mut before = [
+            self.state_at_contact(&flight_a, start, offset),
+            self.state_at_contact(&flight_b, start, offset),
+        ];
         let mut separation = before[1].position - before[0].position;
         if MANY {
             before[0].position = self.system.wrapped(before[0].position, self.balls[a].rounds);

@@ -62,7 +62,11 @@ impl Answers {
         // SAFETY: as of this function.
         let (time, offset, other) = unsafe {
             let at = |numbers: &MaybeUninit<[f64; ROOM]>| *numbers.as_ptr().cast::<f64>().add(place);
-            (at(&self.times), at(&self.offsets), i64::from(*candidates.numbers.as_ptr().cast::<u32>().add(place)))
+            (
+                at(&self.times),
+                at(&self.offsets),
+                i64::from(*candidates.numbers.as_ptr().cast::<u32>().add(place)),
+            )
         };
         if time < nearest.time || (time == nearest.time && other < nearest.other) {
             *nearest = Nearest { time, offset, other };
@@ -195,7 +199,8 @@ macro_rules! first_meetings {
                 // there are any, and there is room for as many answers.
                 unsafe {
                     let numbers = candidates.numbers.as_ptr().cast::<u32>().add(from);
-                    let rounds = candidates.is_round.then(|| candidates.rounds.as_ptr().cast::<[i16; 2]>().add(from));
+                    let rounds =
+                        candidates.is_round.then(|| candidates.rounds.as_ptr().cast::<[i16; 2]>().add(from));
                     let (time, offset, near) = ask(balls.as_ptr(), numbers, &asker, rounds);
                     store(answers.times.as_mut_ptr().cast::<f64>().add(from), time);
                     store(answers.offsets.as_mut_ptr().cast::<f64>().add(from), offset);
@@ -498,8 +503,7 @@ mod eight {
     #[inline]
     unsafe fn columns(balls: *const Ball<f64>, numbers: *const u32) -> ([Reals; 6], Whole) {
         // SAFETY: a ball in f64 is eight numbers of eight bytes, aligned to a line.
-        let line =
-            |k: usize| unsafe { _mm512_load_pd(balls.add(*numbers.add(k) as usize).cast()) };
+        let line = |k: usize| unsafe { _mm512_load_pd(balls.add(*numbers.add(k) as usize).cast()) };
         let [(even_ab, odd_ab), (even_cd, odd_cd)] = [parted(line(0), line(1)), parted(line(2), line(3))];
         let [(even_ef, odd_ef), (even_gh, odd_gh)] = [parted(line(4), line(5)), parted(line(6), line(7))];
         let [start, y, vy, _] = quartered([even_ab, even_cd, even_ef, even_gh]);
