@@ -132,7 +132,7 @@ clean: ## Remove everything that was built
 FLOOR_PYTHON ?= python3.10
 
 need_rust = command -v $(CARGO) >/dev/null \
-	|| { echo "Carom's engine is built with Rust 1.88 or newer: https://rustup.rs says how to get it"; exit 1; }
+	|| { echo "Carom's engine is built with Rust 1.89 or newer: https://rustup.rs says how to get it"; exit 1; }
 need_python = $(PYTHON) -c 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 10))' 2>/dev/null \
 	|| { echo "Carom needs Python 3.10 or newer with venv (on Debian: python3-venv); name one with make PYTHON=..."; exit 1; }
 

@@ -24,7 +24,7 @@ const REACH: f64 = 16.0;
 const MOST_BINS: f64 = (1_u64 << 50) as f64;
 
 /// Lines that are put in order by counting.
-const FEW_LINES: usize = 48;
+const FEW_LINES: usize = 32;
 
 /// A round of the calendar whose bins held so many times too few or too many lines lays it out anew.
 const TOLERANCE: f64 = 1.5;
@@ -248,26 +248,40 @@ impl<S: Scalar> Calendar<S> {
         self.present.truncate(kept);
     }
 
-    /// Puts the lines of the present in order: of a few, each goes where the number of earlier ones says.
+    /// Puts the lines of the present in order.
     fn sort(&mut self) {
-        let count = self.present.len();
-        if count > FEW_LINES {
+        if self.present.len() > FEW_LINES || !self.sort_by_counting() {
             let in_order = |a: &Line<S>, b: &Line<S>| a.time.partial_cmp(&b.time);
             self.present.sort_unstable_by(|a, b| in_order(a, b).unwrap_or(Ordering::Equal));
-            return;
         }
-        let mut times = [S::ZERO; FEW_LINES];
+    }
+
+    /// The same for a few, each of which goes where the number of those no later says: that takes no branch. `false`, and
+    /// they are as they were, where two have one time.
+    fn sort_by_counting(&mut self) -> bool {
+        let count = self.present.len();
+        let mut times = [S::INFINITY; FEW_LINES];
         for (time, line) in times.iter_mut().zip(&self.present) {
             *time = line.time;
         }
+        let eights = &times.as_chunks::<8>().0[..count.div_ceil(8)];
+        let mut places = [0; FEW_LINES];
+        let mut sum = 0;
+        for (place, time) in places.iter_mut().zip(&times[..count]) {
+            for eight in eights {
+                *place += eight.iter().map(|other| u64::from(other <= time)).sum::<u64>();
+            }
+            sum += *place;
+        }
+        if sum != (count * (count + 1) / 2) as u64 {
+            return false;
+        }
         self.spare.clear();
         self.spare.extend_from_slice(&self.present);
-        for (place, line) in self.spare.iter().enumerate() {
-            let earlier = |times: &[S]| times.iter().map(|&time| u64::from(time < line.time)).sum::<u64>();
-            let no_later = |times: &[S]| times.iter().map(|&time| u64::from(time <= line.time)).sum::<u64>();
-            let rank = no_later(&times[..place]) + earlier(&times[place..count]);
-            self.present[rank as usize] = *line;
+        for (place, line) in places.iter().zip(&self.spare) {
+            self.present[*place as usize - 1] = *line;
         }
+        true
     }
 
     /// Whether the bins of the last round held about as many lines as they should.

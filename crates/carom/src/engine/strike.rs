@@ -146,15 +146,14 @@ impl<S: Scalar> Discs<S> {
         let collision = self.collision::<MANY>([a, b], time, offset);
         let [flight_a, flight_b] = collision.after().map(|state| self.free_flight(time, state));
         if let Some([next_a, next_b]) = self.next_of_two::<MANY>([a, b], [&flight_a, &flight_b]) {
-            for (ball, flight, next) in [(a, flight_a, next_a), (b, flight_b, next_b)] {
-                self.begin_flight(ball, flight);
-                self.schedule_with::<MANY>(ball, next);
-            }
+            self.begin_flight(a, flight_a);
+            self.schedule_with::<MANY>(a, next_a);
+            self.begin_flight(b, flight_b);
+            self.schedule_with::<MANY>(b, next_b);
             self.note_collision(&collision);
             self.emit(&collision.event(), observer);
-            for (ball, flight) in [(a, flight_a), (b, flight_b)] {
-                observer.flight(ball, &if MANY { self.seen_flight(ball) } else { flight });
-            }
+            observer.flight(a, &if MANY { self.seen_flight(a) } else { flight_a });
+            observer.flight(b, &if MANY { self.seen_flight(b) } else { flight_b });
         } else {
             self.strike_ball_near([a, b], time, offset, observer);
         }
