@@ -250,38 +250,33 @@ impl<S: Scalar> Calendar<S> {
 
     /// Puts the lines of the present in order.
     fn sort(&mut self) {
-        if self.present.len() > FEW_LINES || !self.sort_by_counting() {
-            let in_order = |a: &Line<S>, b: &Line<S>| a.time.partial_cmp(&b.time);
-            self.present.sort_unstable_by(|a, b| in_order(a, b).unwrap_or(Ordering::Equal));
+        if self.present.len() <= FEW_LINES {
+            return self.sort_by_counting();
         }
+        let in_order = |a: &Line<S>, b: &Line<S>| a.time.partial_cmp(&b.time);
+        self.present.sort_unstable_by(|a, b| in_order(a, b).unwrap_or(Ordering::Equal));
     }
 
-    /// The same for a few, each of which goes where the number of those no later says: that takes no branch. `false`, and
-    /// they are as they were, where two have one time.
-    fn sort_by_counting(&mut self) -> bool {
-        let count = self.present.len();
+    /// The same for a few: each goes where the number of those no later says, less those at its time that are there. That takes
+    /// no branch.
+    fn sort_by_counting(&mut self) {
         let mut times = [S::INFINITY; FEW_LINES];
         for (time, line) in times.iter_mut().zip(&self.present) {
             *time = line.time;
         }
-        let eights = &times.as_chunks::<8>().0[..count.div_ceil(8)];
-        let mut places = [0; FEW_LINES];
-        let mut sum = 0;
-        for (place, time) in places.iter_mut().zip(&times[..count]) {
-            for eight in eights {
-                *place += eight.iter().map(|other| u64::from(other <= time)).sum::<u64>();
-            }
-            sum += *place;
-        }
-        if sum != (count * (count + 1) / 2) as u64 {
-            return false;
-        }
         self.spare.clear();
         self.spare.extend_from_slice(&self.present);
-        for (place, line) in places.iter().zip(&self.spare) {
-            self.present[*place as usize - 1] = *line;
+        let eights = &times.as_chunks::<8>().0[..self.present.len().div_ceil(8)];
+        let mut taken = [0_u8; FEW_LINES + 1];
+        for line in &self.spare {
+            let mut no_later = 0;
+            for eight in eights {
+                no_later += eight.iter().map(|&time| u64::from(time <= line.time)).sum::<u64>();
+            }
+            let taken = &mut taken[no_later as usize];
+            *taken += 1;
+            self.present[no_later as usize - usize::from(*taken)] = *line;
         }
-        true
     }
 
     /// Whether the bins of the last round held about as many lines as they should.

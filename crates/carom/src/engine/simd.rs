@@ -97,22 +97,48 @@ impl Candidates {
         {
             return false;
         }
-        let mut most = 0;
+        // SAFETY: no cell is after the last, each has `width` places, which are four at least, and there is room.
+        unsafe {
+            if width == 4 {
+                self.add_cells_of::<COLUMNS, ROWS, true>((places, 4), filled, first, columns)
+            } else {
+                self.add_cells_of::<COLUMNS, ROWS, false>((places, width), filled, first, columns)
+            }
+        }
+    }
+
+    /// The same, where it is known whether a cell has just four places.
+    ///
+    /// # Safety
+    ///
+    /// All cells are there, have four places at least, and there is room for four balls of each.
+    #[inline(always)]
+    unsafe fn add_cells_of<const COLUMNS: usize, const ROWS: usize, const FOUR: bool>(
+        &mut self,
+        (places, width): (&[u32], usize),
+        filled: &[u32],
+        first: usize,
+        columns: usize,
+    ) -> bool {
+        let (mut count, mut most) = (self.count, 0);
         for row in 0..ROWS {
-            for cell in first + row * columns..first + row * columns + COLUMNS {
+            for column in 0..COLUMNS {
+                let cell = first + row * columns + column;
                 // All four are copied, so that nothing depends on how many; what is too much is written over.
-                // SAFETY: the cell is none after the last, each has `width` places, which are four at least, and there is
-                // room for four of each.
+                // SAFETY: as of this function.
                 unsafe {
-                    let count = *filled.get_unchecked(cell);
+                    let filled = *filled.get_unchecked(cell);
                     let from = places.as_ptr().add(cell * width);
-                    core::ptr::copy_nonoverlapping(from, self.numbers_from(self.count), 4);
-                    most = if count > most { count } else { most };
+                    core::ptr::copy_nonoverlapping(from, self.numbers_from(count), 4);
+                    if !FOUR {
+                        most = if filled > most { filled } else { most };
+                    }
                     // Of a cell with more than four, no more than seven: the answer is no anyway.
-                    self.count += (count & 7) as usize;
+                    count += (filled & 7) as usize;
                 }
             }
         }
+        self.count = count;
         most <= 4
     }
 
