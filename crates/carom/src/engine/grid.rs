@@ -67,32 +67,12 @@ pub struct Grid {
     filled: Vec<u32>,
 }
 
-/// Some columns, or rows, that lie beside each other, each with how often one has gone round the table to be there.
+/// Cells that lie together, from the first column and row to the last; those beyond a side of the table are on its other
+/// side, or missing.
 #[derive(Clone, Copy, Debug)]
-pub struct Strip {
-    cells: [(usize, i16); 3],
-    count: usize,
-}
-
-/// Cells that lie together.
-#[derive(Clone, Copy, Debug)]
-pub enum Window {
-    /// So many columns and rows from a cell on, none of them beyond a side of the table.
-    Inside {
-        /// The first cell.
-        first: usize,
-        /// Columns.
-        columns: usize,
-        /// Rows.
-        rows: usize,
-    },
-    /// Some are on the other side of the table, or missing.
-    Round {
-        /// Columns.
-        columns: Strip,
-        /// Rows.
-        rows: Strip,
-    },
+pub struct Window {
+    columns: [i32; 2],
+    rows: [i32; 2],
 }
 
 impl Side {
@@ -276,77 +256,51 @@ impl Grid {
 
     /// The nine cells around a ball's.
     #[inline(always)]
-    pub fn around(&self, cell: [u16; 2]) -> Window {
-        if self.is_inside(cell) {
-            return Window::Inside { first: self.cell(cell) - self.count[0] - 1, columns: 3, rows: 3 };
-        }
-        self.window(cell.map(|index| [i32::from(index) - 1, i32::from(index) + 1]))
+    pub fn around(&self, [column, row]: [u16; 2]) -> Window {
+        let (column, row) = (i32::from(column), i32::from(row));
+        Window { columns: [column - 1, column + 1], rows: [row - 1, row + 1] }
     }
 
     /// The three cells that have come near since a ball came into its cell on the opposite side.
     #[inline(always)]
     pub fn ahead(&self, cell: [u16; 2], side: Side) -> Window {
-        let (axis, is_up) = side.axis();
-        if self.is_inside(cell) {
-            let (middle, row) = (self.cell(cell), self.count[0]);
-            let (first, columns, rows) = match side {
-                Side::Left => (middle - row - 1, 1, 3),
-                Side::Right => (middle - row + 1, 1, 3),
-                Side::Below => (middle - row - 1, 3, 1),
-                Side::Above => (middle + row - 1, 3, 1),
-            };
-            return Window::Inside { first, columns, rows };
+        let Window { columns: [left, right], rows: [below, above] } = self.around(cell);
+        match side {
+            Side::Left => Window { columns: [left; 2], rows: [below, above] },
+            Side::Right => Window { columns: [right; 2], rows: [below, above] },
+            Side::Below => Window { columns: [left, right], rows: [below; 2] },
+            Side::Above => Window { columns: [left, right], rows: [above; 2] },
         }
-        let mut ranges = cell.map(|index| [i32::from(index) - 1, i32::from(index) + 1]);
-        ranges[axis] = if is_up { [ranges[axis][1]; 2] } else { [ranges[axis][0]; 2] };
-        self.window(ranges)
-    }
-
-    /// Whether all cells around a cell are inside the table.
-    #[inline(always)]
-    fn is_inside(&self, [column, row]: [u16; 2]) -> bool {
-        let is_between =
-            |index: u16, count: usize| (index as usize).wrapping_sub(1) < count.saturating_sub(2);
-        is_between(column, self.count[0]) && is_between(row, self.count[1])
-    }
-
-    #[inline(never)]
-    fn window(&self, [columns, rows]: [[i32; 2]; 2]) -> Window {
-        Window::Round { columns: self.strip(0, columns), rows: self.strip(1, rows) }
-    }
-
-    /// The columns, or rows, of a range that may go beyond the table.
-    #[inline(always)]
-    fn strip(&self, axis: usize, [from, to]: [i32; 2]) -> Strip {
-        let count = self.count[axis] as i32;
-        let mut strip = Strip { cells: [(0, 0); 3], count: 0 };
-        for index in from..=to {
-            let round = i32::from(index >= count) - i32::from(index < 0);
-            if round == 0 || self.periodic[axis] {
-                strip.cells[strip.count] = ((index - round * count) as usize, round as i16);
-                strip.count += 1;
-            }
-        }
-        strip
     }
 
     /// Lists the balls of some cells; `false` where they are not all listed, as there are too many.
     #[inline(always)]
     pub fn list(&self, window: &Window, candidates: &mut Candidates) -> bool {
-        match *window {
-            Window::Inside { first, columns: 3, rows: 3 } => self.list_inside::<3, 3>(first, candidates),
-            Window::Inside { first, columns: 3, .. } => self.list_inside::<3, 1>(first, candidates),
-            Window::Inside { first, .. } => self.list_inside::<1, 3>(first, candidates),
-            Window::Round { .. } => {
-                let mut has_room = true;
-                candidates.clear(true);
-                self.each_cell(window, |cell, round| {
-                    let places = &self.balls[cell * self.places..(cell + 1) * self.places];
-                    has_room &= candidates.add_cell(places, self.filled[cell], round);
-                });
-                has_room
-            }
+        let Window { columns: [left, right], rows: [below, above] } = *window;
+        let is_inside = (left >= 0)
+            & (below >= 0)
+            & ((right as usize) < self.count[0])
+            & ((above as usize) < self.count[1]);
+        if !is_inside {
+            return self.list_round(window, candidates);
         }
+        let first = self.cell([left as u16, below as u16]);
+        match (right - left, above - below) {
+            (2, 2) => self.list_inside::<3, 3>(first, candidates),
+            (2, _) => self.list_inside::<3, 1>(first, candidates),
+            _ => self.list_inside::<1, 3>(first, candidates),
+        }
+    }
+
+    #[inline(never)]
+    fn list_round(&self, window: &Window, candidates: &mut Candidates) -> bool {
+        candidates.clear(true);
+        let mut has_room = true;
+        self.each_cell(window, |cell, round| {
+            let places = &self.balls[cell * self.places..(cell + 1) * self.places];
+            has_room &= candidates.add_cell(places, self.filled[cell], round);
+        });
+        has_room
     }
 
     #[inline(always)]
@@ -375,20 +329,23 @@ impl Grid {
     /// Hands over some cells, and how often one has gone round to be in each.
     #[inline(always)]
     fn each_cell(&self, window: &Window, mut meet: impl FnMut(usize, [i16; 2])) {
-        match window {
-            Window::Inside { first, columns, rows } => {
-                for row in 0..*rows {
-                    (0..*columns).for_each(|column| meet(first + row * self.count[0] + column, [0; 2]));
-                }
-            }
-            Window::Round { columns, rows } => {
-                for &(row, round_y) in &rows.cells[..rows.count] {
-                    for &(column, round_x) in &columns.cells[..columns.count] {
-                        meet(row * self.count[0] + column, [round_x, round_y]);
-                    }
+        for row in window.rows[0]..=window.rows[1] {
+            let Some((row, round_y)) = self.seen(1, row) else { continue };
+            for column in window.columns[0]..=window.columns[1] {
+                if let Some((column, round_x)) = self.seen(0, column) {
+                    meet(row * self.count[0] + column, [round_x, round_y]);
                 }
             }
         }
+    }
+
+    /// Which column, or row, is at a place that may lie beyond a side of the table, and how often one has gone round to be there.
+    #[inline(always)]
+    fn seen(&self, axis: usize, index: i32) -> Option<(usize, i16)> {
+        let count = self.count[axis] as i32;
+        let round = i32::from(index >= count) - i32::from(index < 0);
+        let is_there = round == 0 || self.periodic[axis];
+        is_there.then_some(((index - round * count) as usize, round as i16))
     }
 
     /// Fetches what says who is in the cells around a cell.
