@@ -5,7 +5,7 @@ use super::calendar::Calendar;
 use super::discs::Discs;
 use super::grid::{Grid, MOST_ROUNDS, Side, Window};
 use super::queue::{Pending, Target};
-use super::simd::{Candidates, Nearest, Question, Touch, fetch, first_meeting, first_meetings};
+use super::simd::{Candidates, Nearest, Nearness, Question, Touch, fetch, first_meeting, first_meetings};
 use crate::detect::squared_tolerance;
 use crate::flight::Flight;
 use crate::geometry::Vec2;
@@ -20,8 +20,7 @@ const FETCHED_FROM: usize = 30_000;
 pub(super) struct Many<S> {
     pub(super) grid: Grid,
     pub(super) calendar: Calendar<S>,
-    /// The squared gaps up to which any two may be in contact, and up to which they surely are.
-    near: [S; 2],
+    near: Nearness<S>,
     is_fetched: bool,
 }
 
@@ -33,7 +32,13 @@ impl<S: Scalar> Many<S> {
         let smallest = radii().fold(largest, |least, radius| if radius < least { radius } else { least });
         let count = system.discs.len();
         let grid = Grid::new(&system.bounds, largest + largest, count, system.periodic)?;
-        let near = [largest, smallest].map(|radius| squared_tolerance(&system.tolerance, radius + radius));
+        let of_two = |radius| squared_tolerance(&system.tolerance, radius + radius);
+        let near = Nearness {
+            period: system.is_periodic().then(|| system.extent()),
+            tolerance: system.tolerance,
+            most: of_two(largest),
+            least: of_two(smallest),
+        };
         Some(Self { grid, calendar: Calendar::new(count), near, is_fetched: count >= FETCHED_FROM })
     }
 
@@ -135,10 +140,10 @@ impl<S: Scalar> Discs<S> {
         struck: [Target; 2],
         next: [Pending<S>; 2],
     ) -> Option<[Pending<S>; 2]> {
-        let grid = &self.many.as_ref()?.grid;
+        let many @ Many { grid, .. } = self.many.as_ref()?;
         let (window_a, window_b) = (grid.around(a.cell), grid.around(b.cell));
-        let mut asked_a = self.question(a, Touch::of(struck[0], a), next[0]);
-        let mut asked_b = self.question(b, Touch::of(struck[1], b), next[1]);
+        let mut asked_a = self.question(many, a, Touch::of(struck[0], a), next[0]);
+        let mut asked_b = self.question(many, b, Touch::of(struck[1], b), next[1]);
         let is_clear = if grid.list(&window_a, &mut asked_a.candidates)
             & grid.list(&window_b, &mut asked_b.candidates)
         {
@@ -158,8 +163,8 @@ impl<S: Scalar> Discs<S> {
         touch: Touch,
         next: Pending<S>,
     ) -> Option<Pending<S>> {
-        let grid = &self.many.as_ref()?.grid;
-        let mut asked = self.question(own, touch, next);
+        let many @ Many { grid, .. } = self.many.as_ref()?;
+        let mut asked = self.question(many, own, touch, next);
         let is_clear = if grid.list(window, &mut asked.candidates) {
             first_meeting(&mut asked)
         } else {
@@ -169,21 +174,16 @@ impl<S: Scalar> Discs<S> {
     }
 
     #[inline(always)]
-    fn question<'a>(&'a self, own: &'a Ball<S>, touch: Touch, next: Pending<S>) -> Question<'a, S> {
-        let period = self.system.is_periodic().then(|| self.system.extent());
-        let near = self.many.as_ref().map_or([S::ZERO; 2], |many| many.near);
-        let (balls, tolerance) = (&self.balls, &self.system.tolerance);
+    fn question<'a>(
+        &'a self,
+        many: &'a Many<S>,
+        own: &'a Ball<S>,
+        touch: Touch,
+        next: Pending<S>,
+    ) -> Question<'a, S> {
         let nearest = Nearest { time: next.time, offset: next.offset, other: known(next) };
-        Question {
-            balls,
-            own,
-            touch,
-            period,
-            tolerance,
-            near,
-            candidates: Candidates::none(own.number),
-            nearest,
-        }
+        let candidates = Candidates::none(own.number);
+        Question { balls: &self.balls, own, touch, near: &many.near, candidates, nearest }
     }
 
     /// What a question has found, where `next` was known before.

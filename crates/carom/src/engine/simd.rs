@@ -210,6 +210,19 @@ impl Candidates {
     }
 }
 
+/// What is near enough, of all balls of a table.
+#[derive(Clone, Debug)]
+pub struct Nearness<S> {
+    /// How large a periodic table is; on any other nobody goes round.
+    pub period: Option<Vec2<S>>,
+    /// Of contacts.
+    pub tolerance: ContactTolerance<S>,
+    /// A squared gap that is larger is no contact of any two.
+    pub most: S,
+    /// A squared gap that is no larger is one of any two.
+    pub least: S,
+}
+
 /// A ball that asks for its first meeting.
 pub struct Question<'a, S> {
     /// All balls.
@@ -218,12 +231,8 @@ pub struct Question<'a, S> {
     pub own: &'a Ball<S>,
     /// With what it may be in touch.
     pub touch: Touch,
-    /// How large a periodic table is; on any other nobody goes round.
-    pub period: Option<Vec2<S>>,
-    /// Of contacts.
-    pub tolerance: &'a ContactTolerance<S>,
-    /// The squared gaps up to which any two may be in contact, and up to which they surely are.
-    pub near: [S; 2],
+    /// What holds of all.
+    pub near: &'a Nearness<S>,
     /// Whom it asks.
     pub candidates: Candidates,
     /// What it meets first, as far as is known; then the first of that and the candidates, of two at one time that with the
@@ -268,7 +277,8 @@ fn in_f64<'q, 'a, S: Scalar>(question: &'q mut Question<'a, S>) -> Option<&'q mu
 #[cold]
 #[inline(never)]
 fn first_meeting_plain<S: Scalar>(question: &mut Question<S>) -> bool {
-    let Question { balls, own, touch, period, tolerance, candidates, nearest, .. } = question;
+    let Question { balls, own, touch, near, candidates, nearest } = question;
+    let Nearness { period, tolerance, .. } = near;
     let mut is_clear = true;
     for (place, &number) in candidates.numbers().iter().enumerate() {
         let other = &balls[number as usize];
@@ -319,7 +329,8 @@ mod x86;
 #[cfg(test)]
 mod tests {
     use super::{
-        Ball, Candidates, Nearest, Question, Touch, first_meeting, first_meeting_plain, first_meetings,
+        Ball, Candidates, Nearest, Nearness, Question, Touch, first_meeting, first_meeting_plain,
+        first_meetings,
     };
     use crate::detect::squared_tolerance;
     use crate::flight::Flight;
@@ -377,11 +388,12 @@ mod tests {
             let other = if time < f64::INFINITY { random.below(41) as i64 - 1 } else { -1 };
             let nearest = Nearest { time, offset: time, other };
             for period in [None, Some(Vec2::new(6.0, 7.0))] {
-                let near = [0.6, 0.0].map(|radii| squared_tolerance(&tolerance, radii));
-                let (balls, own, tolerance) = (&balls, &own, &tolerance);
+                let [most, least] = [0.6, 0.0].map(|radii| squared_tolerance(&tolerance, radii));
+                let near = &Nearness { period, tolerance, most, least };
+                let (balls, own) = (&balls, &own);
                 let mut asked = [(); 4].map(|()| {
                     let candidates = Candidates::none(own.number);
-                    Question { balls, own, touch, period, tolerance, near, candidates, nearest }
+                    Question { balls, own, touch, near, candidates, nearest }
                 });
                 for question in &mut asked {
                     question.candidates.clear(is_round);

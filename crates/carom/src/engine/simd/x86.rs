@@ -174,12 +174,12 @@ macro_rules! first_meetings {
         #[target_feature(enable = $features)]
         #[inline]
         unsafe fn ask_all(
-            &Question { balls, own, touch, period, near: [near, sure], ref candidates, .. }: &Question<f64>,
+            &Question { balls, own, touch, near, ref candidates, .. }: &Question<f64>,
             answers: &mut Answers,
         ) -> (Reals, bool) {
             let struck = if let Touch::Struck(other) = touch { other } else { own.number };
-            let parted = if touch == Touch::Parting { -sure } else { f64::INFINITY };
-            let period = period.unwrap_or(Vec2::ZERO);
+            let parted = if touch == Touch::Parting { -near.least } else { f64::INFINITY };
+            let period = near.period.unwrap_or(Vec2::ZERO);
             let asker = Own {
                 start: all(own.start),
                 position: [all(own.position.x), all(own.position.y)],
@@ -189,7 +189,7 @@ macro_rules! first_meetings {
                 struck: whole(i64::from(struck)),
                 rounds: pairs(own.rounds),
                 period: [all(period.x), all(period.y)],
-                near: all(near),
+                near: all(near.most),
                 parted: all(parted),
             };
             let (mut first, mut is_near) = (all(f64::INFINITY), NONE);
