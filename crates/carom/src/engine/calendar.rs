@@ -29,25 +29,27 @@ const FEW_LINES: usize = 32;
 /// A round of the calendar whose bins held so many times too few or too many lines lays it out anew.
 const TOLERANCE: f64 = 1.5;
 
-/// What a ball is about to do.
+/// What a ball is about to do. In `f64` two fill a line of the cache.
 #[derive(Clone, Copy, Debug)]
 pub struct Awaited<S> {
-    /// What it meets next, if that comes before it leaves its cell.
-    pub meeting: Pending<S>,
-    /// When it leaves its cell.
-    pub way_out: f64,
-    /// Where.
-    pub side: Side,
-    /// Tells the line of this from those of before.
-    stamp: u32,
+    /// What it meets next, whether that comes before it leaves its cell or after.
+    time: S,
+    offset: S,
+    target: Target,
+    mark: Mark,
 }
+
+/// Tells the line of what is awaited from those of before, and the side through which the ball leaves its cell if that comes
+/// first: this one in the last three bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Mark(u32);
 
 /// A line of the calendar.
 #[derive(Clone, Copy, Debug)]
 struct Line<S> {
     time: S,
     ball: u32,
-    stamp: u32,
+    mark: Mark,
 }
 
 /// What all balls are about to do, and the order of it.
@@ -75,25 +77,46 @@ pub struct Calendar<S> {
     lines_per_bin: f64,
 }
 
-impl<S: Scalar> Awaited<S> {
-    const NOTHING: Self =
-        Self { meeting: Pending::NEVER, way_out: f64::INFINITY, side: Side::Left, stamp: 0 };
-
-    /// Whether the ball leaves its cell before it meets anything; at one time that comes first.
+impl Mark {
+    /// The next one.
     #[inline(always)]
-    pub fn leaves(&self) -> bool {
-        self.way_out <= self.meeting.time.to_f64()
+    fn next(self, leaves: Option<Side>) -> Self {
+        let side = leaves.map_or(0, |side| side as u32 + 1);
+        Self((self.0 | 7).wrapping_add(1) | side)
     }
 
     #[inline(always)]
-    fn time(&self) -> S {
-        if self.leaves() { S::from_f64(self.way_out) } else { self.meeting.time }
+    fn side(self) -> Option<Side> {
+        match self.0 & 7 {
+            0 => None,
+            1 => Some(Side::Left),
+            2 => Some(Side::Right),
+            3 => Some(Side::Below),
+            _ => Some(Side::Above),
+        }
+    }
+}
+
+impl<S: Scalar> Awaited<S> {
+    const NOTHING: Self =
+        Self { time: S::INFINITY, offset: S::INFINITY, target: Target::Nothing, mark: Mark(0) };
+
+    /// What the ball meets next, whether that comes before it leaves its cell or after.
+    #[inline(always)]
+    pub fn meeting(&self) -> Pending<S> {
+        Pending { time: self.time, offset: self.offset, target: self.target }
+    }
+
+    /// The side through which it leaves its cell if that comes before; at one time it does.
+    #[inline(always)]
+    pub fn leaves(&self) -> Option<Side> {
+        self.mark.side()
     }
 
     /// The order of what comes at one time: whoever leaves a cell, then by the lower number.
     fn rank(&self, ball: usize) -> (u8, usize) {
-        match self.meeting.target {
-            _ if self.leaves() => (0, ball),
+        match self.target {
+            _ if self.leaves().is_some() => (0, ball),
             Target::Ball(other, _) => (1, ball.min(other as usize)),
             _ => (1, ball),
         }
@@ -130,14 +153,21 @@ impl<S: Scalar> Calendar<S> {
         fetch(&self.awaited, ball);
     }
 
-    /// Writes down what a ball is about to do.
+    /// Writes down what a ball is about to meet, and when and where it leaves its cell.
     #[inline(always)]
-    pub fn set(&mut self, ball: usize, meeting: Pending<S>, way_out: f64, side: Side) {
+    pub fn set(
+        &mut self,
+        ball: usize,
+        Pending { time, offset, target }: Pending<S>,
+        way_out: f64,
+        side: Side,
+    ) {
         let awaited = &mut self.awaited[ball];
-        let stamp = awaited.stamp.wrapping_add(1);
-        *awaited = Awaited { meeting, way_out, side, stamp };
-        let time = awaited.time();
-        self.write(Line { time, ball: ball as u32, stamp });
+        let leaves = way_out <= time.to_f64();
+        let mark = awaited.mark.next(leaves.then_some(side));
+        *awaited = Awaited { time, offset, target, mark };
+        let time = if leaves { S::from_f64(way_out) } else { time };
+        self.write(Line { time, ball: ball as u32, mark });
     }
 
     #[inline(always)]
@@ -179,9 +209,9 @@ impl<S: Scalar> Calendar<S> {
         self.present[place] = line;
     }
 
-    /// The ball that has something to do first.
+    /// The ball that has something to do first, and when: that it leaves its cell counts.
     #[inline(always)]
-    pub fn first(&mut self) -> Option<usize> {
+    pub fn first(&mut self) -> Option<(usize, S)> {
         loop {
             if self.next >= self.present.len() {
                 if !self.turn() {
@@ -190,12 +220,13 @@ impl<S: Scalar> Calendar<S> {
                 continue;
             }
             let line = self.present[self.next];
-            if self.awaited[line.ball as usize].stamp != line.stamp {
+            if self.awaited[line.ball as usize].mark != line.mark {
                 self.next += 1;
                 continue;
             }
             let is_alone = self.present.get(self.next + 1).is_none_or(|other| other.time > line.time);
-            return Some(if is_alone { line.ball as usize } else { self.first_of_several(line) });
+            let ball = if is_alone { line.ball as usize } else { self.first_of_several(line) };
+            return Some((ball, line.time));
         }
     }
 
@@ -203,7 +234,7 @@ impl<S: Scalar> Calendar<S> {
     #[cold]
     fn first_of_several(&self, line: Line<S>) -> usize {
         let all = self.present[self.next..].iter().take_while(|other| other.time == line.time);
-        let all = all.filter(|other| self.awaited[other.ball as usize].stamp == other.stamp);
+        let all = all.filter(|other| self.awaited[other.ball as usize].mark == other.mark);
         let rank = |ball: usize| self.awaited[ball].rank(ball);
         all.map(|other| other.ball as usize)
             .reduce(|first, ball| if rank(ball) < rank(first) { ball } else { first })
@@ -243,7 +274,7 @@ impl<S: Scalar> Calendar<S> {
         for place in 0..self.present.len() {
             let line = self.present[place];
             self.present[kept] = line;
-            kept += usize::from(self.awaited[line.ball as usize].stamp == line.stamp);
+            kept += usize::from(self.awaited[line.ball as usize].mark == line.mark);
         }
         self.present.truncate(kept);
     }
@@ -289,7 +320,7 @@ impl<S: Scalar> Calendar<S> {
     fn lay_out(&mut self) -> bool {
         let mut lines: Vec<Line<S>> = core::mem::take(&mut self.later);
         self.bins.iter_mut().for_each(|bin| lines.append(bin));
-        lines.retain(|line| self.awaited[line.ball as usize].stamp == line.stamp);
+        lines.retain(|line| self.awaited[line.ball as usize].mark == line.mark);
         let quarter = lines.len() / 4;
         if lines.is_empty() {
             return false;
@@ -340,7 +371,7 @@ mod tests {
             set(&mut calendar, ball, *time);
         }
         for step in 0..100_000 {
-            let first = calendar.first().unwrap_or_default();
+            let (first, _) = calendar.first().unwrap_or_default();
             let now = times[first];
             if step % 100 == 0 {
                 assert_eq!(now, times.iter().copied().fold(f64::INFINITY, f64::min));

@@ -162,8 +162,7 @@ impl<S: Scalar> Discs<S> {
     #[inline(never)]
     fn step_among_many(&mut self, limit: S, observer: &mut impl Observer<S>) -> Option<S> {
         loop {
-            let ball = self.first_of_many(limit)?;
-            let pending = self.many.as_ref()?.calendar.awaited(ball).meeting;
+            let (ball, pending) = self.first_of_many(limit)?;
             if self.strike::<true>(ball, pending, observer) {
                 return Some(pending.time);
             }

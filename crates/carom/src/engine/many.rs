@@ -51,23 +51,21 @@ impl<S: Scalar> Many<S> {
 }
 
 impl<S: Scalar> Discs<S> {
-    /// The ball whose event comes first, if that is no later than `limit`; lets balls come into other cells on the way.
+    /// The ball whose event comes first, and that event, if it is no later than `limit`; lets balls come into other cells on the way.
     #[inline(always)]
-    pub(super) fn first_of_many(&mut self, limit: S) -> Option<usize> {
+    pub(super) fn first_of_many(&mut self, limit: S) -> Option<(usize, Pending<S>)> {
         loop {
             let many = self.many.as_mut()?;
-            let ball = many.calendar.first()?;
+            let (ball, time) = many.calendar.first()?;
             if many.is_fetched {
                 self.fetch_ahead();
             }
-            let awaited = self.many.as_ref()?.calendar.awaited(ball);
-            if !awaited.leaves() {
-                return (awaited.meeting.time <= limit).then_some(ball);
-            }
-            if awaited.way_out > limit.to_f64() {
+            if time > limit {
                 return None;
             }
-            let (side, meeting, time) = (awaited.side, awaited.meeting, S::from_f64(awaited.way_out));
+            let awaited = self.many.as_ref()?.calendar.awaited(ball);
+            let meeting = awaited.meeting();
+            let Some(side) = awaited.leaves() else { return Some((ball, meeting)) };
             self.cross(ball, side, meeting, time);
         }
     }
@@ -245,7 +243,7 @@ impl<S: Scalar> Discs<S> {
         if let Some(ball) = calendar.coming(9) {
             self.fetch_ball(ball);
         }
-        let partner = |ball| match calendar.awaited(ball).meeting.target {
+        let partner = |ball| match calendar.awaited(ball).meeting().target {
             Target::Ball(other, _) => other as usize,
             _ => ball,
         };

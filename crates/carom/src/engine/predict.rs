@@ -305,9 +305,8 @@ impl<S: Scalar> Discs<S> {
     pub(super) fn time_of_next(&mut self) -> S {
         loop {
             let (ball, Pending { time, target, .. }) = if self.many.is_some() {
-                let Some(ball) = self.first_of_many(S::INFINITY) else { return S::INFINITY };
-                let Some(many) = &self.many else { return S::INFINITY };
-                (ball, many.calendar.awaited(ball).meeting)
+                let Some(first) = self.first_of_many(S::INFINITY) else { return S::INFINITY };
+                first
             } else {
                 self.queue.first()
             };
