@@ -7,7 +7,7 @@
 
 use super::grid::Side;
 use super::queue::{Pending, Target};
-use super::simd::fetch;
+use super::memory::{fetch, room_for};
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
@@ -126,8 +126,10 @@ impl<S: Scalar> Awaited<S> {
 impl<S: Scalar> Calendar<S> {
     /// A calendar of `balls` balls, none of which has anything to do.
     pub fn new(balls: usize) -> Self {
+        let mut awaited = room_for(balls);
+        awaited.resize(balls, Awaited::NOTHING);
         Self {
-            awaited: vec![Awaited::NOTHING; balls],
+            awaited,
             bins: Vec::new(),
             origin: 0.0,
             rate: 0.0,

@@ -7,6 +7,7 @@
 use super::ball::{Ball, Rest};
 use super::interface::{Engine, Fault};
 use super::many::Many;
+use super::memory::room_for;
 use super::queue::{Pending, Queue, Target};
 use super::simulation::Coming;
 use crate::detect::cushion_gap;
@@ -200,8 +201,8 @@ impl<S: Scalar> Discs<S> {
         let many = is_grid_worth_it || system.is_periodic();
         let mut discs = Self {
             many: if many { Many::new(&system) } else { None },
-            balls: Vec::with_capacity(balls.len()),
-            rest: Vec::with_capacity(balls.len()),
+            balls: room_for(balls.len()),
+            rest: room_for(balls.len()),
             queue: Queue::new(0),
             diagnostics: Diagnostics::default(),
             events: 0,

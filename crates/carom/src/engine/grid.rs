@@ -6,7 +6,8 @@
 //! gone round the table once more.
 
 use super::ball::Ball;
-use super::simd::{Candidates, fetch};
+use super::memory::{fetch, room_for};
+use super::simd::Candidates;
 use crate::geometry::Bounds;
 use crate::scalar::Scalar;
 
@@ -113,7 +114,9 @@ impl Grid {
         let (size, extent) = ([width / columns, height / rows], [width, height]);
         let count = [columns as usize, rows as usize];
         let cells = count[0] * count[1];
-        let (balls, filled) = (vec![0; cells * FEW], vec![0; cells]);
+        let (mut balls, mut filled) = (room_for(cells * FEW), room_for(cells));
+        balls.resize(cells * FEW, 0);
+        filled.resize(cells, 0);
         let edges = [0, 1].map(|axis| edges(size[axis], extent[axis], count[axis], periodic[axis]));
         let lower = [bounds.min.x.to_f64(), bounds.min.y.to_f64()];
         Some(Self { lower, extent, size, edges, count, periodic, places: FEW, balls, filled })
@@ -201,7 +204,8 @@ impl Grid {
 
     #[cold]
     fn grow(&mut self) {
-        let mut balls = vec![0; self.balls.len() * 2];
+        let mut balls = room_for(self.balls.len() * 2);
+        balls.resize(self.balls.len() * 2, 0);
         for (cell, old) in self.balls.chunks_exact(self.places).enumerate() {
             let at = cell * self.places * 2;
             balls[at..at + self.places].copy_from_slice(old);

@@ -9,6 +9,7 @@ mod grid;
 mod hold;
 mod interface;
 mod many;
+mod memory;
 mod predict;
 mod queue;
 mod simd;

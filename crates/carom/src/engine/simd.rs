@@ -1,8 +1,8 @@
-//! The first meeting of one ball with several, four at a time where the processor can.
+//! The first meeting of one ball with several: eight or four at a time where the processor can.
 //!
-//! This is the one module that may use `unsafe`: it loads lines of [`Ball`] into wide registers, and fetches memory before
-//! it is needed. [`first_meeting`] has a plain twin in any scalar, which gives the same bits and is the only way elsewhere
-//! than on x86-64 with AVX2.
+//! It needs `unsafe` to load lines of [`Ball`] into wide registers, and to write down candidates before it is known how many
+//! they are; but for the advice about memory in `memory.rs` nothing else does. [`first_meeting`] has a plain twin in any
+//! scalar, which gives the same bits, is the only way elsewhere than on x86-64 with AVX2, and has the last word on contacts.
 
 #![allow(unsafe_code)]
 
@@ -305,22 +305,6 @@ fn first_meeting_plain<S: Scalar>(question: &mut Question<S>) -> bool {
         }
     }
     is_clear
-}
-
-/// Fetches a line of memory that will be needed soon.
-#[inline(always)]
-pub fn fetch<T>(items: &[T], place: usize) {
-    #[cfg(target_arch = "x86_64")]
-    if let Some(item) = items.get(place) {
-        // SAFETY: a prefetch of any address is harmless, and this one is in the slice.
-        unsafe {
-            core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(
-                core::ptr::from_ref(item).cast(),
-            );
-        }
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = (items, place);
 }
 
 #[cfg(target_arch = "x86_64")]
