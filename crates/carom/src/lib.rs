@@ -7,6 +7,7 @@ pub mod flight;
 pub mod gas;
 pub mod geometry;
 pub mod law;
+mod memory;
 pub mod model;
 pub mod observe;
 pub mod random;

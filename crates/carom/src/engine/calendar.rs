@@ -5,9 +5,10 @@
 //! stamp, and is passed over when its time comes. Bins are so few that their ends stay in fast memory, and so long that
 //! many lines are sorted at once.
 
+use super::bins::Bins;
 use super::grid::Side;
 use super::queue::{Pending, Target};
-use super::memory::{fetch, room_for};
+use crate::memory::{fetch, room_for};
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
@@ -57,7 +58,7 @@ struct Line<S> {
 pub struct Calendar<S> {
     awaited: Vec<Awaited<S>>,
     /// Bins of the time to come, going round; the number of them is a power of two.
-    bins: Vec<Vec<Line<S>>>,
+    bins: Bins<Line<S>>,
     /// When bin 0 began.
     origin: f64,
     /// One over the length of a bin.
@@ -130,7 +131,7 @@ impl<S: Scalar> Calendar<S> {
         awaited.resize(balls, Awaited::NOTHING);
         Self {
             awaited,
-            bins: Vec::new(),
+            bins: Bins::new(2 * balls),
             origin: 0.0,
             rate: 0.0,
             bin: 0,
@@ -178,12 +179,8 @@ impl<S: Scalar> Calendar<S> {
         let ahead = self.bin_of(line.time.to_f64()).wrapping_sub(self.bin) as i64;
         if ahead > 0 && (ahead as usize) < self.bins.len() {
             let last = self.bins.len() - 1;
-            let bin = &mut self.bins[self.bin.wrapping_add(ahead as u64) as usize & last];
-            if bin.len() == bin.capacity() {
-                make_room(bin);
-            }
-            bin.push(line);
-        } else if ahead <= 0 && !self.bins.is_empty() {
+            self.bins.push(self.bin.wrapping_add(ahead as u64) as usize & last, line);
+        } else if ahead <= 0 && self.bins.len() > 0 {
             self.insert(line);
         } else if line.time < S::INFINITY {
             self.later.push(line);
@@ -255,11 +252,11 @@ impl<S: Scalar> Calendar<S> {
         self.present.clear();
         self.next = 0;
         let last = self.bins.len().wrapping_sub(1) as u64;
-        if self.bins.is_empty() || (self.bin & last == last && !self.is_well_laid_out()) {
+        if self.bins.len() == 0 || (self.bin & last == last && !self.is_well_laid_out()) {
             return self.lay_out();
         }
         self.bin += 1;
-        core::mem::swap(&mut self.present, &mut self.bins[(self.bin & last) as usize]);
+        self.bins.take((self.bin & last) as usize, &mut self.present);
         self.drop_stale();
         self.lines += self.present.len() as u64;
         self.sort();
@@ -321,7 +318,7 @@ impl<S: Scalar> Calendar<S> {
     /// Lays the calendar out anew, from all lines that hold; `false` when there is none.
     fn lay_out(&mut self) -> bool {
         let mut lines: Vec<Line<S>> = core::mem::take(&mut self.later);
-        self.bins.iter_mut().for_each(|bin| lines.append(bin));
+        (0..self.bins.len()).for_each(|bin| self.bins.take(bin, &mut lines));
         lines.retain(|line| self.awaited[line.ball as usize].mark == line.mark);
         let quarter = lines.len() / 4;
         if lines.is_empty() {
@@ -336,18 +333,12 @@ impl<S: Scalar> Calendar<S> {
         // Where all come at once, any length will do that does not hide the differences of times.
         let length = if span > 0.0 { span / bins_of_quarter } else { first.abs().max(f64::MIN_POSITIVE) };
         let count = ((bins_of_quarter * REACH) as usize).next_power_of_two();
-        self.bins.resize_with(count, Vec::new);
+        self.bins.lay_out(count);
         (self.origin, self.rate, self.bin, self.lines) = (first, 1.0 / length, 0, 0);
         lines.into_iter().for_each(|line| self.write(line));
         self.lines += self.present.len() as u64;
         true
     }
-}
-
-/// Makes a full bin larger by a quarter: all bins of a great many balls at twice what they need would be the most of memory.
-#[cold]
-fn make_room<T>(bin: &mut Vec<T>) {
-    bin.reserve_exact(bin.len() / 4 + 8);
 }
 
 #[cfg(test)]

@@ -7,13 +7,13 @@
 use super::ball::{Ball, Rest};
 use super::interface::{Engine, Fault};
 use super::many::Many;
-use super::memory::room_for;
 use super::queue::{Pending, Queue, Target};
 use super::simulation::Coming;
 use crate::detect::cushion_gap;
 use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::{ball_ball, ball_cushion};
+use crate::memory::room_for;
 use crate::run::{Diagnostics, Event, Kind, Observer, Plane, Run, Track};
 use crate::scalar::Scalar;
 use crate::scenario::System;

@@ -6,9 +6,9 @@
 //! gone round the table once more.
 
 use super::ball::Ball;
-use super::memory::{fetch, room_for};
 use super::simd::Candidates;
 use crate::geometry::Bounds;
+use crate::memory::{fetch, room_for};
 use crate::scalar::Scalar;
 
 /// A cell is this part as wide as the square that each ball has for itself, if that is enough for a ball: larger ones hold

@@ -5,11 +5,11 @@ use super::calendar::Calendar;
 use super::discs::Discs;
 use super::grid::{Grid, MOST_ROUNDS, Side, Window};
 use super::queue::{Pending, Target};
-use super::memory::fetch;
 use super::simd::{Candidates, Nearest, Nearness, Question, Touch, first_meeting, first_meetings};
 use crate::detect::squared_tolerance;
 use crate::flight::Flight;
 use crate::geometry::Vec2;
+use crate::memory::fetch;
 use crate::scalar::Scalar;
 use crate::scenario::System;
 

@@ -2,6 +2,7 @@
 
 mod audit;
 mod ball;
+mod bins;
 mod calendar;
 mod cluster;
 mod discs;
@@ -9,7 +10,6 @@ mod grid;
 mod hold;
 mod interface;
 mod many;
-mod memory;
 mod predict;
 mod queue;
 mod simd;

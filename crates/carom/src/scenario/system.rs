@@ -7,6 +7,7 @@ use super::start::BallStart;
 use crate::flight::Flight;
 use crate::geometry::{Bounds, Vec2};
 use crate::law::{ball_ball, ball_cushion};
+use crate::memory::room_for;
 use crate::model::{ContactTolerance, Disc, Face, Faces, Line, Table};
 use crate::scalar::Scalar;
 
@@ -96,7 +97,8 @@ impl<S: Scalar> System<S> {
         let starts: Vec<_> = (scenario.balls.iter().enumerate())
             .map(|(k, ball)| ball.start(k, &scenario.ball_defaults, number))
             .collect();
-        let discs: Vec<_> = starts.iter().map(|start| Disc::new(start.radius, start.mass)).collect();
+        let mut discs = room_for(starts.len());
+        discs.extend(starts.iter().map(|start| Disc::new(start.radius, start.mass)));
         let flights: Vec<_> = starts.iter().map(|start| flight(start, field)).collect();
         Self {
             collapse_times: collapse_times(&discs, &flights, field, table.size()),

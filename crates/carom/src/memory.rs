@@ -7,7 +7,7 @@
 
 /// So many bytes are worth large pages.
 #[cfg(target_os = "linux")]
-const LARGE: usize = 1 << 19;
+const LARGE: usize = 1 << 21;
 
 /// Room for so many items, in large pages where they are many and the system has such.
 pub fn room_for<T>(count: usize) -> Vec<T> {
