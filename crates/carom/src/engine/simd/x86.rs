@@ -19,7 +19,11 @@ pub fn first_meeting(question: &mut Question<f64>) -> bool {
     question.candidates.close();
     // SAFETY: the processor has what each asks for; every number of the candidates is that of a ball.
     unsafe {
-        if has_eight() { eight::first_meeting(question) } else { has_four() && four::first_meeting(question) }
+        if question.candidates.count > 4 && has_eight() {
+            eight::first_meeting(question)
+        } else {
+            has_four() && four::first_meeting(question)
+        }
     }
 }
 
