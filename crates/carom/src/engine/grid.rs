@@ -135,10 +135,9 @@ impl Grid {
     /// Puts a ball, which has not gone round yet, into the cell where its flight has brought it by a time.
     pub fn place<S: Scalar>(&mut self, ball: &mut Ball<S>, time: S) {
         let there = ball.position + ball.velocity * (time - ball.start);
-        let there = [there.x.to_f64(), there.y.to_f64()];
         ball.rounds = [0; 2];
-        for axis in 0..2 {
-            let mut along = there[axis] - self.lower[axis];
+        for (axis, there) in [there.x.to_f64(), there.y.to_f64()].into_iter().enumerate() {
+            let mut along = there - self.lower[axis];
             if self.periodic[axis] {
                 let rounds = (along / self.extent[axis]).floor();
                 ball.rounds[axis] = rounds as i16;

@@ -274,7 +274,6 @@ fn in_f64<'q, 'a, S: Scalar>(question: &'q mut Question<'a, S>) -> Option<&'q mu
 }
 
 /// The plain twin, which also tells those in touch from those that are just near.
-#[cold]
 #[inline(never)]
 fn first_meeting_plain<S: Scalar>(question: &mut Question<S>) -> bool {
     let Question { balls, own, touch, near, candidates, nearest } = question;
@@ -375,7 +374,7 @@ mod tests {
                 let [most, least] = [0.6, 0.0].map(|radii| squared_tolerance(&tolerance, radii));
                 let near = &Nearness { period, tolerance, most, least };
                 let (balls, own) = (&balls, &own);
-                let mut asked = [(); 4].map(|()| {
+                let mut asked = [(); 6].map(|()| {
                     let candidates = Candidates::none(own.number);
                     Question { balls, own, touch, near, candidates, nearest }
                 });
@@ -390,17 +389,25 @@ mod tests {
                         });
                     }
                 }
-                let [plain, wide, first, second] = &mut asked;
+                let [plain, wide, first, second, four, eight] = &mut asked;
                 let is_clear = first_meeting_plain(plain);
                 answers[usize::from(is_clear)] += 1;
                 assert_eq!(first_meeting(wide), is_clear);
                 assert_eq!(first_meetings(first, second), is_clear);
-                for found in [&wide.nearest, &first.nearest, &second.nearest] {
-                    if is_clear {
-                        assert_eq!(found.time.to_bits(), plain.nearest.time.to_bits());
-                        assert_eq!(found.offset.to_bits(), plain.nearest.offset.to_bits());
-                        assert_eq!(found.other, plain.nearest.other);
+                // Each width by itself; what it leaves open is for the plain twin.
+                for (question, lanes) in [(four, 4), (eight, 8)] {
+                    #[cfg(target_arch = "x86_64")]
+                    if super::x86::first_meeting_in(lanes, question) {
+                        assert!(is_clear);
+                        continue;
                     }
+                    let _ = lanes;
+                    assert_eq!(first_meeting(question), is_clear);
+                }
+                for Question { nearest: found, .. } in asked[1..].iter().filter(|_| is_clear) {
+                    assert_eq!(found.time.to_bits(), asked[0].nearest.time.to_bits());
+                    assert_eq!(found.offset.to_bits(), asked[0].nearest.offset.to_bits());
+                    assert_eq!(found.other, asked[0].nearest.other);
                 }
             }
         }

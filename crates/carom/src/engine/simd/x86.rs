@@ -38,6 +38,19 @@ pub fn first_meetings(a: &mut Question<f64>, b: &mut Question<f64>) -> bool {
     }
 }
 
+/// The same with so many lanes, if there are registers of so many.
+#[cfg(test)]
+pub fn first_meeting_in(lanes: usize, question: &mut Question<f64>) -> bool {
+    question.candidates.close();
+    // SAFETY: as of first_meeting.
+    unsafe {
+        match lanes {
+            4 => has_four() && four::first_meeting(question),
+            _ => has_eight() && eight::first_meeting(question),
+        }
+    }
+}
+
 #[inline(always)]
 fn has_eight() -> bool {
     is_x86_feature_detected!("avx512f")
