@@ -13,7 +13,7 @@ SCENARIOS := $(wildcard scenarios/*)
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .PHONY: help build run check-engine test test-rust test-python lint lint-rust lint-python format docs licences
-.PHONY: pictures third-party bench bench-gas bench-pooltool campaign campaign-gas digests wheel wheel-check floors clean
+.PHONY: pictures third-party bench bench-gas bench-pooltool campaign campaign-gas digests checkpoint wheel wheel-check floors clean
 
 help: ## List these commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -107,6 +107,10 @@ campaign-gas: ## Hold gases to theory, in long runs: make campaign-gas PART=trut
 digests: ## Mint the golden digests of the scenarios anew: make digests REASON="..."
 	@$(need_rust)
 	CAROM_MINT_DIGESTS="$(REASON)" $(CARGO) test --locked --profile $(TEST_PROFILE) -p carom --test digests
+
+checkpoint: ## Write the committed checkpoint anew, after a change of its format or of the physics: make checkpoint REASON="..."
+	@$(need_rust)
+	CAROM_MINT_CHECKPOINT="$(REASON)" $(CARGO) test --locked --profile $(TEST_PROFILE) -p carom --test observe -- golden_checkpoint
 
 wheel: $(VENV)/.tools ## Build a wheel and a source archive into dist/
 	@$(need_rust)

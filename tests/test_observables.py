@@ -160,7 +160,8 @@ def test_what_cannot_be_measured_is_refused() -> None:
     refused("^equilibrate: must be a number of collisions", observe=["pressure"], equilibrate=-1)
     refused("^equilibrate: must be a number, got", observe=["pressure"], equilibrate="100")
     refused("^sample_interval: must be a positive time", observe=["pressure"], sample_interval=0)
-    refused("with 0 samples", observe=["pressure"], equilibrate=100)
+    refused("^collisions: must be 9800 or more to measure 196 discs", observe=["pressure"], equilibrate=100)
+    refused("with 1 samples", observe=["pressure"], sample_interval=1e3)
     refused("^equilibrate: belongs to observe", equilibrate=10)
     refused("^until: must be a kind", observe=["pressure"], until=lambda event: False)
     refused("^table: .*rectangle", carom.load("stadium"), observe=["pressure"])
@@ -275,6 +276,29 @@ def test_the_shell_makes_a_gas_from_its_options(monkeypatch: pytest.MonkeyPatch)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to a single child")
+class Terminal(io.StringIO):
+    """What is printed, as to a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def test_a_terminal_is_told_what_takes_its_time(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    def told_on_a_terminal(*words: object) -> str:
+        monkeypatch.setattr(sys, "argv", ["carom", *map(str, words), "--no-figures", "--json"])
+        errors = Terminal()
+        with redirect_stdout(io.StringIO()), redirect_stderr(errors), pytest.raises(SystemExit) as ended:
+            main()
+        assert ended.value.code == 0, errors.getvalue()
+        return errors.getvalue()
+
+    words = ["--n", 100, "--packing-fraction", 0.4, "--collisions", "2e5", "--out", tmp_path]
+    begun = told_on_a_terminal("gas", *words)
+    assert [word in begun for word in ("placing the discs", "to equilibrium", " samples")] == [True] * 3
+    resumed = told_on_a_terminal("resume", tmp_path, "--collisions", "4e5")
+    assert [word in resumed for word in ("reading the checkpoint", " samples")] == [True] * 2
+
+
 def test_ctrl_c_ends_a_measurement_in_the_shell_with_what_is_there(saved: Path, tmp_path: Path) -> None:
     code = """
 import sys, threading, signal

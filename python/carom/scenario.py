@@ -243,7 +243,8 @@ class Scenario:
     @property
     def units(self) -> dict[str, str]:
         """The names of the units (``length``, ``time``, ``mass``) that the scenario or its preset names."""
-        return dict(self.expanded().to_dict().get("units", {}))
+        names: dict[str, str] = json.loads(self._native.units())
+        return names
 
     @property
     def is_on_cloth(self) -> bool:

@@ -26,35 +26,41 @@ struct Frame<'py> {
 /// Reads a scenario, with the values of a JSON object changed before a file is read.
 ///
 /// Of `[balls_from]` the reader is called with its keys as JSON text; it gives a frame, or the problems as pairs of place and
-/// message.
+/// message. Meanwhile others may have the interpreter's lock, as a large gas takes long to place.
 pub fn parse(
+    py: Python<'_>,
     text: &str,
     format: &str,
-    reader: Option<&Bound<'_, PyAny>>,
+    reader: Option<&Py<PyAny>>,
     values_json: &str,
 ) -> PyResult<Scenario> {
     let values = entries(values_json)?;
     let mut raised = None;
     let mut read = |from: &BallsFrom| {
-        called(reader, from).unwrap_or_else(|error| {
+        Python::attach(|py| called(py, reader, from)).unwrap_or_else(|error| {
             raised = Some(error);
             Err(Problem::new("balls_from", "could not be read").into())
         })
     };
-    let parsed = match (format, reader) {
-        ("toml", None) => Scenario::from_toml(text),
-        ("json", None) => Scenario::from_json(text),
-        ("toml", Some(_)) => Scenario::from_toml_with(text, &values, &mut read),
-        ("json", Some(_)) => Scenario::from_json_with(text, &values, &mut read),
-        _ => return Err(PyValueError::new_err(format!("unknown format {format:?}"))),
-    };
+    let parsed = py.detach(|| match (format, reader) {
+        ("toml", None) => Some(Scenario::from_toml(text)),
+        ("json", None) => Some(Scenario::from_json(text)),
+        ("toml", Some(_)) => Some(Scenario::from_toml_with(text, &values, &mut read)),
+        ("json", Some(_)) => Some(Scenario::from_json_with(text, &values, &mut read)),
+        _ => None,
+    });
+    let parsed = parsed.ok_or_else(|| PyValueError::new_err(format!("unknown format {format:?}")))?;
     raised.map_or_else(|| parsed.map_err(scenario_error), Err)
 }
 
-fn called(reader: Option<&Bound<'_, PyAny>>, from: &BallsFrom) -> PyResult<Result<BallsRead, ScenarioError>> {
+fn called(
+    py: Python<'_>,
+    reader: Option<&Py<PyAny>>,
+    from: &BallsFrom,
+) -> PyResult<Result<BallsRead, ScenarioError>> {
     let reader = reader.ok_or_else(|| PyValueError::new_err("there is nothing to read with"))?;
     let keys = serde_json::to_string(from).map_err(|error| PyValueError::new_err(error.to_string()))?;
-    let given = reader.call1((keys,))?;
+    let given = reader.bind(py).call1((keys,))?;
     if let Ok(problems) = given.extract::<Vec<(String, String)>>() {
         let problems = problems.into_iter().map(|(place, message)| Problem::new(place, message)).collect();
         return Ok(Err(ScenarioError { problems }));

@@ -37,6 +37,7 @@ impl ObservedRun {
     /// A run of a scenario from time zero; options, what is to be observed and the plan are JSON texts.
     #[staticmethod]
     fn start(
+        py: Python<'_>,
         scenario: &Scenario,
         options_json: &str,
         requests_json: &str,
@@ -48,7 +49,8 @@ impl ObservedRun {
         let plan: Plan = serde_json::from_str(plan_json).map_err(bad)?;
         let observables =
             Observables::new(&requests).map_err(|error| problem("observe", &error.to_string()))?;
-        let run = observed::ObservedRun::new(&scenario, until, observables, plan)
+        let run = py
+            .detach(|| observed::ObservedRun::new(&scenario, until, observables, plan))
             .map_err(|error| observed_error(error, &scenario))?;
         Ok(Self { run: Some(run), note: String::new() })
     }

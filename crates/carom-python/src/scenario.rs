@@ -44,12 +44,13 @@ impl Scenario {
     #[staticmethod]
     #[pyo3(signature = (text, format, read_balls=None, values_json="{}"))]
     fn parse(
+        py: Python<'_>,
         text: &str,
         format: &str,
-        read_balls: Option<&Bound<'_, PyAny>>,
+        read_balls: Option<Py<PyAny>>,
         values_json: &str,
     ) -> PyResult<Self> {
-        balls_from::parse(text, format, read_balls, values_json).map(Self)
+        balls_from::parse(py, text, format, read_balls.as_ref(), values_json).map(Self)
     }
 
     /// The scenario as JSON text.
@@ -80,6 +81,11 @@ impl Scenario {
     /// The scenario with its preset, its rack and its gas turned into plain keys.
     fn expanded(&self) -> Self {
         Self(self.0.expanded().into_owned())
+    }
+
+    /// The names of the units, as JSON text.
+    fn units(&self) -> String {
+        json!(self.0.unit_names()).to_string()
     }
 
     /// Whether the balls roll and spin on a cloth.

@@ -9,7 +9,7 @@ import typer
 
 from carom.cli import options
 from carom.cli.folder import check_free, made
-from carom.cli.measuring import bar, count, finish, interruptible, result_names
+from carom.cli.measuring import bar, count, finish, interruptible, result_names, waiting
 from carom.cli.output import reporting
 from carom.errors import ScenarioError
 from carom.recording import CHECKPOINT, EVERY, Checkpoints, EventStream, Snapshots
@@ -96,7 +96,8 @@ def gas(
     limits: dict[str, Any] = {
         name: value for name, value in (("collisions", collisions), ("duration", duration)) if value is not None
     }
-    chosen = _scenario(scenario, recipe, limits, settings)
+    with waiting("placing the discs"):
+        chosen = _scenario(scenario, recipe, limits, settings)
     ends = {**chosen.to_dict(), **limits}
     with made(out), interruptible() as interrupted, bar(ends.get("collisions"), ends.get("duration")) as told:
         run = chosen.run(

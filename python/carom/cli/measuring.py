@@ -62,6 +62,21 @@ def interruptible() -> Iterator[Callable[[], bool]]:
 
 
 @contextmanager
+def waiting(words: str) -> Iterator[None]:
+    """Say on a terminal what takes its time, until it is done."""
+    if not sys.stderr.isatty():
+        yield
+        return
+    from rich.console import Console
+    from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        progress.add_task(words, total=None)
+        yield
+
+
+@contextmanager
 def bar(most: int | None, end: float | None, already: int = 0) -> Iterator[Callable[[float, int, int], None]]:
     """Show on a terminal how far the run has come, at what speed, and how long it will take.
 
@@ -92,7 +107,7 @@ def bar(most: int | None, end: float | None, already: int = 0) -> Iterator[Calla
         def tell(time: float, done: int, samples: int) -> None:
             share = max(done / most if most else 0.0, time / end if end else 0.0)
             rate = (done - already) / max(progress.get_time() - began, 1e-9)
-            words = f"{samples} samples" if samples else "to equilibrium"
+            words = f"{samples} sample{'s' * (samples > 1)}" if samples else "to equilibrium"
             progress.update(task, completed=share, description=words, speed=f"{rate:,.0f} events/s")
 
         yield tell

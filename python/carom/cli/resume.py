@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from carom.cli import options
-from carom.cli.measuring import bar, count, finish, interruptible
+from carom.cli.measuring import bar, count, finish, interruptible, waiting
 from carom.cli.output import reporting
 from carom.recording import CHECKPOINT
 
@@ -41,8 +41,9 @@ def resume(
     from carom.observing import driven, reopened
 
     kinds = [] if no_figures else options.read_formats(formats)
-    native, recorder = reopened(folder / CHECKPOINT, {"collisions": collisions, "duration": duration}, checkpoint_every)
-    ends, already = native.ends(), native.progress()[1]
-    with interruptible() as interrupted, bar(*ends, already) as told:
+    ends = {"collisions": collisions, "duration": duration}
+    with waiting("reading the checkpoint"):
+        native, recorder = reopened(folder / CHECKPOINT, ends, checkpoint_every)
+    with interruptible() as interrupted, bar(*native.ends(), native.progress()[1]) as told:
         run = driven(native, recorder, lambda *now: told(*now) or interrupted())
     finish(run, folder, recorder.files(), kinds, as_json=as_json)

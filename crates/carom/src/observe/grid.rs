@@ -12,10 +12,24 @@ pub(super) struct Grid {
     periods: [bool; 2],
     /// Cells along each axis.
     cells: [usize; 2],
-    /// Where the discs of each cell begin in `discs`, row by row; one more than there are cells.
+    /// Where the discs of each cell begin, row by row; one more than there are cells.
     starts: Vec<u32>,
-    /// The discs, cell by cell: number and centre, which is wrapped along periodic axes.
-    discs: Vec<(u32, [f64; 2])>,
+    /// The numbers of the discs, cell by cell.
+    discs: Vec<u32>,
+    /// Their centres, wrapped along periodic axes: x and y apart, so that several are taken at once.
+    places: [Vec<f64>; 2],
+}
+
+/// The discs of a cell, and all others that may be within reach of them.
+#[derive(Default)]
+pub(super) struct Crowd {
+    /// The middle of the cell.
+    pub middle: [f64; 2],
+    /// How many discs are of the cell.
+    pub own: usize,
+    /// First those, then the others: stretches of [`Grid::places`], and how far each is shifted, as the cells may be
+    /// beyond a periodic side.
+    pub stretches: Vec<(Range<usize>, [f64; 2])>,
 }
 
 impl Grid {
@@ -26,13 +40,13 @@ impl Grid {
         let finest = (width * length / most).sqrt();
         let side = if side > finest { side } else { finest };
         let along = |size: f64| ((size / side) as usize).max(1);
-        let cells = [along(width), along(length)];
         let mut grid = Self {
             size: snapshot.size,
             periods: snapshot.periods,
-            cells,
+            cells: [along(width), along(length)],
             starts: Vec::new(),
             discs: Vec::new(),
+            places: [Vec::new(), Vec::new()],
         };
         grid.sort(snapshot);
         grid
@@ -40,44 +54,45 @@ impl Grid {
 
     /// Sorts by counting: discs of a cell stay in the order of their numbers.
     fn sort(&mut self, snapshot: &Snapshot) {
-        let places: Vec<[f64; 2]> =
-            snapshot.positions.iter().map(|position| self.wrapped(position.to_f64())).collect();
-        let cells: Vec<usize> = places.iter().map(|place| self.cell(*place)).collect();
+        let per_size = self.size.map(|size| 1.0 / size);
+        let per_side = self.sides().map(|side| 1.0 / side);
+        let wrapped = |position: [f64; 2], axis: usize| {
+            let turns = if self.periods[axis] { floor(position[axis] * per_size[axis]) } else { 0 };
+            position[axis] - turns as f64 * self.size[axis]
+        };
+        // A negative number becomes zero, as a place a hair outside the box may have one.
+        let along = |place: f64, axis: usize| ((place * per_side[axis]) as usize).min(self.cells[axis] - 1);
         let mut next = vec![0u32; self.cells[0] * self.cells[1] + 1];
-        for cell in &cells {
+        let sorted = snapshot.positions.iter().map(|position| {
+            let position = position.to_f64();
+            let place = [wrapped(position, 0), wrapped(position, 1)];
+            let cell = along(place[1], 1) * self.cells[0] + along(place[0], 0);
             next[cell + 1] += 1;
-        }
+            (cell as u32, place)
+        });
+        let sorted: Vec<(u32, [f64; 2])> = sorted.collect();
         for cell in 1..next.len() {
             next[cell] += next[cell - 1];
         }
         self.starts = next.clone();
-        self.discs = vec![(0, [0.0; 2]); places.len()];
-        for (disc, (cell, place)) in cells.into_iter().zip(places).enumerate() {
-            self.discs[next[cell] as usize] = (disc as u32, place);
-            next[cell] += 1;
+        self.discs = vec![0; sorted.len()];
+        self.places = [0, 1].map(|_| vec![0.0; sorted.len()]);
+        for (disc, (cell, [x, y])) in (0..).zip(sorted) {
+            let next = &mut next[cell as usize];
+            let at = *next as usize;
+            (self.discs[at], self.places[0][at], self.places[1][at]) = (disc, x, y);
+            *next += 1;
         }
     }
 
-    fn wrapped(&self, position: [f64; 2]) -> [f64; 2] {
-        let wrap = |axis: usize| {
-            let turns = if self.periods[axis] { (position[axis] / self.size[axis]).floor() } else { 0.0 };
-            position[axis] - turns * self.size[axis]
-        };
-        [wrap(0), wrap(1)]
+    /// The sides of a cell.
+    pub fn sides(&self) -> [f64; 2] {
+        [0, 1].map(|axis| self.size[axis] / self.cells[axis] as f64)
     }
 
-    fn cell(&self, place: [f64; 2]) -> usize {
-        // A negative number becomes zero, as a place a hair outside the box may have one.
-        let along = |axis: usize| {
-            let cell = (place[axis] / self.size[axis] * self.cells[axis] as f64) as usize;
-            cell.min(self.cells[axis] - 1)
-        };
-        along(1) * self.cells[0] + along(0)
-    }
-
-    /// The discs, cell by cell: number and centre, wrapped.
-    pub fn discs(&self) -> &[(u32, [f64; 2])] {
-        &self.discs
+    /// The centres, cell by cell, wrapped: x and y.
+    pub fn places(&self) -> &[Vec<f64>; 2] {
+        &self.places
     }
 
     /// Visits all discs that may be within reach of a place, and some beyond, each periodic image on its own: the
@@ -89,57 +104,80 @@ impl Grid {
             let (row, up) = self.image(1, row);
             for column in columns.0..=columns.1 {
                 let (column, across) = self.image(0, column);
-                let cell = row * self.cells[0] + column;
-                for (disc, other) in &self.discs[self.starts[cell] as usize..self.starts[cell + 1] as usize] {
-                    visit(*disc, [other[0] + across - place[0], other[1] + up - place[1]]);
+                for disc in self.range(row, column..column + 1) {
+                    let [x, y] = [0, 1].map(|axis| self.places[axis][disc]);
+                    visit(self.discs[disc], [x + across - place[0], y + up - place[1]]);
                 }
             }
         }
     }
 
-    /// Visits each pair of discs within reach of each other once, and some that are further apart, each periodic image on
-    /// its own: one of two, with a stretch of others by their places in [`Grid::discs`], and where it is as they see it.
-    #[inline]
-    pub fn pairs(&self, reach: f64, mut visit: impl FnMut(usize, Range<usize>, [f64; 2])) {
-        let height = self.size[1] / self.cells[1] as f64;
-        let end = self.cells[0] as i64 - 1;
-        for first in 0..self.discs.len() {
-            let place = self.discs[first].1;
-            let row = (self.cell(place) / self.cells[0]) as i64;
-            let mut meet = |others: Range<usize>, [across, up]: [f64; 2]| {
-                visit(first, others, [place[0] - across, place[1] - up]);
-            };
-            // Of two in a row it is the turn of the one that comes first, and of those beyond the side of the last.
-            let last = self.cells_within(0, place[0], reach).1;
-            meet(first + 1..self.range(row, (0, last.min(end))).end, [0.0; 2]);
-            self.along(row, (end + 1, last), &mut meet);
-            // Of two rows it is the turn of the lower one, for what is within the circle.
-            for row in row + 1..=self.cells_within(1, place[1], reach).1 {
-                let up = row as f64 * height - place[1];
-                let square = reach * reach - up * up;
-                if square > 0.0 {
-                    self.along(row, self.cells_within(0, place[0], square.sqrt()), &mut meet);
+    /// Visits each cell that has discs, with the others among whom their pairs are found: each pair within reach comes
+    /// once, a disc of the cell and one behind it, beside pairs that are further apart. The reach is half a periodic side
+    /// at most.
+    pub fn crowds(&self, reach: f64, mut visit: impl FnMut(&Crowd)) {
+        let (sides, columns_within) = (self.sides(), self.columns_within(reach));
+        let mut crowd = Crowd::default();
+        for row in 0..self.cells[1] {
+            for column in 0..self.cells[0] {
+                crowd.own = self.range(row, column..column + 1).len();
+                if crowd.own == 0 {
+                    continue;
                 }
+                crowd.middle = [(column as f64 + 0.5) * sides[0], (row as f64 + 0.5) * sides[1]];
+                crowd.stretches.clear();
+                // Of two cells in a row it is the turn of the left one, of two rows of the lower one.
+                for (up, within) in columns_within.iter().enumerate() {
+                    let before = if up == 0 { 0 } else { *within };
+                    let columns = (column as i64 - before, column as i64 + within);
+                    self.along(row + up, columns, &mut crowd.stretches);
+                }
+                visit(&crowd);
             }
         }
     }
 
-    /// The discs in some cells of a row, in pieces that each have a shift, as the cells may go on beyond a periodic side.
+    /// How many columns to each side have discs within reach of a cell's: in its own row, in that above, and so on.
+    fn columns_within(&self, reach: f64) -> Vec<i64> {
+        let [width, height] = self.sides();
+        // A hair further, as a place at the side of a cell may be rounded into the next.
+        let square = reach * reach * (1.0 + 1e-9);
+        let gap = |row: usize| row.saturating_sub(1) as f64 * height;
+        let chords = (0..).map(|row| square - gap(row) * gap(row)).take_while(|square| *square > 0.0);
+        chords.map(|square| (square.sqrt() / width) as i64 + 1).collect()
+    }
+
+    /// The discs in some cells of a row, in stretches: in the box, and beyond its periodic sides.
     #[inline]
-    fn along(&self, row: i64, (mut first, last): (i64, i64), meet: &mut impl FnMut(Range<usize>, [f64; 2])) {
-        let (row, up) = self.image(1, row);
+    fn along(
+        &self,
+        row: usize,
+        (mut first, last): (i64, i64),
+        stretches: &mut Vec<(Range<usize>, [f64; 2])>,
+    ) {
+        let [columns, rows] = self.cells;
+        if row >= rows && !self.periods[1] {
+            return;
+        }
+        let (row, up) = if row >= rows { (row - rows, self.size[1]) } else { (row, 0.0) };
+        let end = columns as i64 - 1;
         while first <= last {
-            let (column, across) = self.image(0, first);
-            let count = (last - first).min(self.cells[0] as i64 - 1 - column as i64);
-            meet(self.range(row as i64, (column as i64, column as i64 + count)), [across, up]);
-            first += count + 1;
+            let turn = i64::from(first > end) - i64::from(first < 0);
+            let start = turn * columns as i64;
+            let to = last.min(start + end);
+            if turn == 0 || self.periods[0] {
+                let discs = self.range(row, (first - start) as usize..(to - start + 1) as usize);
+                stretches.push((discs, [turn as f64 * self.size[0], up]));
+            }
+            first = to + 1;
         }
     }
 
     /// The discs in some cells of a row in the box.
-    fn range(&self, row: i64, (first, last): (i64, i64)) -> Range<usize> {
-        let start = row as usize * self.cells[0];
-        self.starts[start + first as usize] as usize..self.starts[start + last as usize + 1] as usize
+    #[inline]
+    fn range(&self, row: usize, columns: Range<usize>) -> Range<usize> {
+        let start = row * self.cells[0];
+        self.starts[start + columns.start] as usize..self.starts[start + columns.end] as usize
     }
 
     /// The first and the last cell along an axis within reach of a place; beyond a periodic side they go on.

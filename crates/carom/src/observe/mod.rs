@@ -20,6 +20,7 @@
 //! Another observable is a file that implements `Measure`, a variant and a name in `observable.rs`, and a line here.
 //! What is summed at events is in `events.rs` alone, and is handed on at samples.
 
+mod bins;
 mod blocks;
 mod collision_rate;
 mod diffusion;
@@ -30,6 +31,7 @@ mod grid;
 mod h_function;
 mod kinetic_energy;
 mod observable;
+mod pair_counts;
 mod pressure;
 mod psi6;
 mod radial_distribution;

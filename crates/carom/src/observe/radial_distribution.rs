@@ -9,11 +9,12 @@
 //! The bins are laid so that one of their edges is the diameter. The value at contact is that of the cubic that fits
 //! the bins of the first tenth of a diameter beyond it (or the first eight bins) best. In equilibrium Z = 1 + 2η g(σ).
 
+use super::bins::Bins;
 use super::blocks::Blocks;
 use super::error::{ObserveError, unfit};
 use super::events::EventSums;
-use super::grid::Grid;
 use super::observable::Measure;
+use super::pair_counts::{Middles, pair_counts};
 use super::request::Options;
 use super::results::{Column, Curve, Quantity, Results};
 use super::snapshot::{Gas, Moment, Snapshot};
@@ -25,8 +26,6 @@ const CONTACT_RANGE: f64 = 0.1;
 const CONTACT_BINS: usize = 8;
 /// The number of coefficients of a cubic.
 const COEFFICIENTS: usize = 4;
-/// The side of the cells in which neighbours are sought, in ranges.
-const CELL: f64 = 0.4;
 /// Bins are counted up to so many.
 const MOST_BINS: f64 = 1e6;
 
@@ -74,44 +73,6 @@ pub(super) struct RadialDistribution {
     density: Blocks,
 }
 
-/// Where the bins are, as lengths.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-struct Bins {
-    diameter: f64,
-    start: f64,
-    width: f64,
-    /// The first bin beyond the diameter.
-    contact: usize,
-    count: usize,
-}
-
-impl Bins {
-    fn new(options: &RadialOptions, diameter: f64) -> Self {
-        // A width such as 0.1 goes into one as often as it looks, in spite of round-off.
-        let contact = (1.0 / options.bin_width * (1.0 + 1e-12)) as usize;
-        let beyond = ((options.range - 1.0) / options.bin_width * (1.0 + 1e-12)) as usize;
-        let start = diameter * (1.0 - contact as f64 * options.bin_width);
-        // What is left of zero is round-off.
-        let start = if start > 1e-9 * diameter { start } else { 0.0 };
-        Self { diameter, start, width: options.bin_width * diameter, contact, count: contact + beyond }
-    }
-
-    /// Where a bin begins.
-    fn edge(&self, bin: usize) -> f64 {
-        self.start + bin as f64 * self.width
-    }
-
-    fn end(&self) -> f64 {
-        self.edge(self.count)
-    }
-
-    /// The area of the ring of a bin.
-    fn ring(&self, bin: usize) -> f64 {
-        let (inner, outer) = (self.edge(bin), self.edge(bin + 1));
-        core::f64::consts::PI * (outer - inner) * (outer + inner)
-    }
-}
-
 impl RadialDistribution {
     pub fn new(options: RadialOptions) -> Self {
         let [near_contact, density] = Default::default();
@@ -123,39 +84,16 @@ impl RadialDistribution {
         if gas.periods[axis] { 0.0 } else { self.bins.end() + 0.5 * gas.diameter }
     }
 
-    fn is_middle(&self, gas: &Gas, place: [f64; 2]) -> bool {
-        (0..2).all(|axis| {
-            let margin = self.margin(gas, axis);
-            place[axis] >= margin && place[axis] <= gas.size[axis] - margin
-        })
+    /// Where discs are middles of rings.
+    fn middles(&self, gas: &Gas) -> Middles {
+        let from =
+            [0, 1].map(|axis| if gas.periods[axis] { f64::NEG_INFINITY } else { self.margin(gas, axis) });
+        Middles { from, to: [0, 1].map(|axis| gas.size[axis] - from[axis]) }
     }
 
     /// The sides of the rectangle in which the middles of rings are.
     fn inner_size(&self, gas: &Gas) -> [f64; 2] {
         [0, 1].map(|axis| gas.size[axis] - 2.0 * self.margin(gas, axis))
-    }
-
-    /// The number of middles, and for each bin that of the discs in it about them.
-    fn count(&self, Moment { snapshot, gas, .. }: &Moment) -> (f64, Vec<u64>) {
-        let (start, end, per_width) = (self.bins.start, self.bins.end(), 1.0 / self.bins.width);
-        let grid = Grid::new(snapshot, CELL * end);
-        let is_middle: Vec<u8> =
-            grid.discs().iter().map(|(_, place)| u8::from(self.is_middle(gas, *place))).collect();
-        // What is nearer than the first bin, or beyond the last, has a bin of its own on either side: no branch to mispredict.
-        let beyond = self.bins.count + 1;
-        let mut counts = vec![0u64; beyond + 1];
-        grid.pairs(end, |first, others, from| {
-            let (own, start, per_width) = (is_middle[first], start, per_width);
-            for ((_, place), is_other) in grid.discs()[others.clone()].iter().zip(&is_middle[others]) {
-                let [x, y] = [place[0] - from[0], place[1] - from[1]];
-                // A negative number becomes zero.
-                let bin = (((x * x + y * y).sqrt() - start) * per_width + 1.0) as u32 as usize;
-                // Each of two is in the ring of the other, if that is a middle.
-                counts[bin.min(beyond)] += u64::from(own + is_other);
-            }
-        });
-        let inside = counts[1..beyond].to_vec();
-        (is_middle.iter().map(|is| f64::from(*is)).sum(), inside)
     }
 
     fn curve(&self, gas: &Gas, density: f64) -> Curve {
@@ -178,7 +116,7 @@ impl Measure for RadialDistribution {
         if gas.diameter <= 0.0 {
             return Err(unfit("radial_distribution", "its range is in diameters, and the discs are points"));
         }
-        self.bins = Bins::new(&self.options, gas.diameter);
+        self.bins = Bins::new(self.options.range, self.options.bin_width, gas.diameter);
         let room = [0, 1].map(|axis| {
             let radius = if gas.periods[axis] { 0.0 } else { 0.5 * gas.diameter };
             (0.5 * gas.size[axis] - radius) / gas.diameter
@@ -195,7 +133,8 @@ impl Measure for RadialDistribution {
     }
 
     fn sample(&mut self, moment: &Moment) {
-        let (middles, counts) = self.count(moment);
+        let (middles, counts) = pair_counts(moment.snapshot, &self.bins, &self.middles(moment.gas));
+        let middles = middles as f64;
         for (bin, count) in counts.iter().enumerate() {
             self.near[bin].push_ratio(*count as f64, middles * self.bins.ring(bin));
         }

@@ -47,8 +47,8 @@ impl<'a> Voronoi<'a> {
     /// Calls `visit` with the neighbours of each disc.
     pub fn for_each(&mut self, mut visit: impl FnMut(&[Neighbour])) {
         let mut neighbours = Vec::new();
-        for place in 0..self.grid.discs().len() {
-            let (_, centre) = self.grid.discs()[place];
+        for disc in 0..self.gas.count as usize {
+            let centre = [0, 1].map(|axis| self.grid.places()[axis][disc]);
             self.make(centre);
             neighbours.clear();
             neighbours.extend(self.neighbours());

@@ -52,6 +52,11 @@ impl Scenario {
 }
 
 impl Scenario {
+    /// The names of the units, those of the preset where none are written.
+    pub fn unit_names(&self) -> Units {
+        self.units.over(self.table.preset().map(|table| table.preset))
+    }
+
     /// Whether the balls roll and spin on a cloth.
     pub fn has_cloth(&self) -> bool {
         self.physics.over(self.table.preset().map(|table| table.preset)).has_cloth()

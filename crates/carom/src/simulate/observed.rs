@@ -143,7 +143,8 @@ impl ObservedRun {
     ///
     /// # Errors
     ///
-    /// A scenario that is no gas in a rectangle, and a plan with a number out of its range.
+    /// A scenario that is no gas in a rectangle, a plan with a number out of its range, and collisions that are too few to
+    /// measure anything.
     pub fn new(
         scenario: &Scenario,
         until: Option<Kind>,
@@ -153,11 +154,15 @@ impl ObservedRun {
         plan::check(scenario, &plan).map_err(ObservedError::Unfit)?;
         let mut stream = Stream::new(plan.window);
         let (simulation, log) = start_watched(scenario, until, &mut (&mut observables, &mut stream));
+        let camera = Camera::new(simulation.system());
+        if !observables.is_empty() {
+            plan::check_length(scenario, &plan, camera.count()).map_err(ObservedError::Unfit)?;
+        }
         let phase = if observables.is_empty() { Phase::Unwatched } else { Phase::Equilibrating };
         Ok(Self {
             scenario: scenario.clone(),
             until,
-            camera: Camera::new(simulation.system()),
+            camera,
             simulation,
             log,
             observables,

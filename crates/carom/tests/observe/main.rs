@@ -7,6 +7,7 @@ mod checkpoints;
 mod crystals;
 mod fluids;
 mod gases;
+mod golden_checkpoint;
 mod kit;
 mod motion;
 mod observed_runs;

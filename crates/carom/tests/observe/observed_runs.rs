@@ -4,7 +4,7 @@ use carom::gas::{Arrangement, Recipe, Start, make};
 use carom::observe::{Observables, Quantity, Request, Results, compressibility};
 use carom::run::{Run, Status};
 use carom::scenario::Scenario;
-use carom::simulate::{ObservedError, Progress, Sampling, simulate, simulate_observed};
+use carom::simulate::{ObservedError, ObservedRun, Plan, Progress, Sampling, simulate, simulate_observed};
 use serde_json::{Value, json};
 
 /// The scenario of a gas, with some of its keys.
@@ -174,16 +174,53 @@ fn an_interrupted_run_gives_what_there_is() {
 
 #[test]
 fn a_run_too_short_to_measure_anything_says_so() {
-    let scenario = gas(100, 0.4, &json!({ "collisions": 1000 }));
-    for sampling in [
-        Sampling { equilibrate: 100.0, interval: None },
-        Sampling { equilibrate: 10.0, interval: Some(1e3) },
-        Sampling { equilibrate: 15.0, interval: None },
+    for (end, status, sampling) in [
+        (
+            json!({ "collisions": 1000 }),
+            "collision_limit",
+            Sampling { equilibrate: 10.0, interval: Some(1e3) },
+        ),
+        (json!({ "collisions": 1000 }), "collision_limit", Sampling { equilibrate: 15.0, interval: None }),
+        (json!({ "duration": 1.0 }), "time_limit", Sampling { equilibrate: 100.0, interval: None }),
     ] {
-        let error = observe(&scenario, &["pressure"], &sampling).unwrap_err();
+        let error = observe(&gas(100, 0.4, &end), &["pressure"], &sampling).unwrap_err();
         assert!(matches!(error, ObservedError::TooShort { .. }), "{error}");
-        assert!(error.to_string().contains("collision_limit"), "{error}");
+        assert!(error.to_string().contains(status), "{error}");
     }
+}
+
+#[test]
+fn collisions_that_are_surely_too_few_are_refused_before_the_run() {
+    for (equilibrate, interval, fewest) in
+        [(100.0, None, 5000), (100.0, Some(1.0), 5000), (3.0, None, 650), (0.0, None, 500)]
+    {
+        let sampling = Sampling { equilibrate, interval };
+        let refused = |collisions: u64| {
+            let scenario = gas(100, 0.4, &json!({ "collisions": collisions }));
+            let observables = Observables::new(&[Request::new("pressure")]).unwrap();
+            ObservedRun::new(&scenario, None, observables, Plan { sampling, ..Plan::default() }).err()
+        };
+        assert!(refused(fewest).is_none());
+        match refused(fewest - 1) {
+            Some(ObservedError::Unfit(problem)) => {
+                assert_eq!(problem.place, "collisions");
+                assert!(
+                    problem.message.starts_with(&format!("must be {fewest} or more")),
+                    "{}",
+                    problem.message
+                );
+            }
+            _ => panic!("accepted"),
+        }
+    }
+    assert!(
+        observe(
+            &gas(100, 0.4, &json!({ "collisions": 50 })),
+            &["pressure"],
+            &Sampling { equilibrate: 0.0, interval: Some(0.01) }
+        )
+        .is_ok()
+    );
 }
 
 #[test]

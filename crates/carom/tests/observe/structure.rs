@@ -81,6 +81,83 @@ fn a_range_that_the_box_has_no_room_for_is_refused() {
     assert!(radial(3.5, 0.05).sample(&walled.at(0.0)).is_ok());
 }
 
+/// For each bin the discs in it about middles, from all pairs with all their images; and how many middles there are.
+fn counts_of_all_pairs(gas: &Gas, range: f64, bin_width: f64) -> (f64, Vec<f64>) {
+    let diameter = gas.radii.iter().sum::<f64>() / gas.radii.len() as f64 * 2.0;
+    let contact = (1.0 / bin_width * (1.0 + 1e-12)) as usize;
+    let count = contact + ((range - 1.0) / bin_width * (1.0 + 1e-12)) as usize;
+    let width = bin_width * diameter;
+    let start = diameter - contact as f64 * width;
+    let margin = start + count as f64 * width + 0.5 * diameter;
+    let is_middle = |place: &Vec2<f64>| {
+        (0..2).all(|axis| {
+            let along = place.to_f64()[axis];
+            gas.periods[axis] || (along >= margin && along <= gas.size[axis] - margin)
+        })
+    };
+    let least = |way: f64, axis: usize| {
+        if gas.periods[axis] { way - (way / gas.size[axis]).round() * gas.size[axis] } else { way }
+    };
+    let middles: Vec<&Vec2<f64>> = gas.positions.iter().filter(|place| is_middle(place)).collect();
+    let mut counts = vec![0.0; count];
+    for (middle, other) in
+        middles.iter().flat_map(|middle| gas.positions.iter().map(move |other| (middle, other)))
+    {
+        let way = *other - **middle;
+        let distance = Vec2::new(least(way.x, 0), least(way.y, 1)).norm();
+        let bin = ((distance - start) / width).floor();
+        if !core::ptr::eq(*middle, other) && bin >= 0.0 && bin < count as f64 {
+            counts[bin as usize] += 1.0;
+        }
+    }
+    (middles.len() as f64, counts)
+}
+
+#[test]
+fn pairs_in_bins_are_those_that_all_pairs_give() {
+    let mut random = Random::new(17, "pairs");
+    for (case, periods) in [[true; 2], [true, false], [false, true], [false; 2]].into_iter().enumerate() {
+        for (count, size, range, bin_width) in [
+            (1500, [40.0, 33.0], 5.0, 0.01),
+            (1500, [40.0, 33.0], 5.0, 0.03),
+            // Boxes of as few cells as there can be, a range that is half of the box, and one of many distances in a piece.
+            (300, [10.0, 31.0], 3.99, 0.01),
+            (200, [9.01, 9.2], 4.5, 0.013),
+            (700, [61.0, 61.0], 15.0, 0.001),
+            // So fine that single precision never says enough.
+            (150, [20.0, 24.0], 7.0, 1e-5),
+        ] {
+            for spread in [0.0, 0.8] {
+                let mut gas = Gas::random(count, size, periods, &mut random);
+                // Some rounds further on, and radii of one mean.
+                let rounds = |random: &mut Random, axis: usize| {
+                    if periods[axis] { (10.0 * random.unit() - 5.0).floor() * size[axis] } else { 0.0 }
+                };
+                for place in &mut gas.positions {
+                    *place = *place + Vec2::new(rounds(&mut random, 0), rounds(&mut random, 1));
+                }
+                gas.radii.iter_mut().enumerate().for_each(|(k, radius)| {
+                    *radius += if k % 2 == 0 { 0.5 * spread } else { -0.5 * spread };
+                });
+                let mut observables = radial(range, bin_width);
+                if observables.sample(&gas.at(0.0)).is_err() {
+                    continue; // a walled box with no room for the range
+                }
+                let [r, g] = ["r", "g"].map(|name| column(&observables, "radial_distribution", name));
+                let density = value(&observables, "density");
+                let (middles, counts) = counts_of_all_pairs(&gas, range, bin_width);
+                assert_eq!(g.len(), counts.len());
+                assert!(counts.iter().sum::<f64>() > 0.0);
+                for ((r, g), expected) in r.iter().zip(&g).zip(&counts) {
+                    let found = g * density * middles * PI * 2.0 * r * bin_width;
+                    let off = (found - expected).abs();
+                    assert!(off < 1e-6, "{case} {size:?} {range} {bin_width} at {r}: {found} {expected}");
+                }
+            }
+        }
+    }
+}
+
 fn psi6(gas: &Gas) -> [f64; 2] {
     let mut observables = observe("psi6");
     observables.sample(&gas.at(0.0)).unwrap();

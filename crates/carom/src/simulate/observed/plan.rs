@@ -1,5 +1,6 @@
 //! When an observed run is looked at, and what it hands out on the way.
 
+use super::COLLISIONS_PER_SAMPLE;
 use crate::scenario::schema::{Method, Table};
 use crate::scenario::{Problem, Scenario};
 use serde::{Deserialize, Serialize};
@@ -100,6 +101,23 @@ pub(super) fn check(scenario: &Scenario, plan: &Plan) -> Result<(), Problem> {
     } else {
         plan.snapshots.check()
     }
+}
+
+/// Refuses a limit that surely comes before the second sample, so that nobody waits for a run that measures nothing.
+pub(super) fn check_length(scenario: &Scenario, plan: &Plan, discs: usize) -> Result<(), Problem> {
+    let Sampling { equilibrate, interval } = plan.sampling;
+    // Where the rate is seen before the first sample, the second comes at a time that is not known yet.
+    let chooses = interval.is_none() && equilibrate < COLLISIONS_PER_SAMPLE;
+    let of_each = equilibrate + if chooses { COLLISIONS_PER_SAMPLE } else { 0.0 };
+    let fewest = (0.5 * discs as f64 * of_each).ceil();
+    if scenario.collisions.is_none_or(|collisions| collisions as f64 >= fewest) {
+        return Ok(());
+    }
+    let message = format!(
+        "must be {fewest} or more to measure {discs} discs, as {of_each} of each come before the second sample: let it go \
+         on for longer, or shorten equilibrate or the interval between samples"
+    );
+    problem("collisions", &message)
 }
 
 fn check_gas(scenario: &Scenario) -> Result<(), Problem> {
