@@ -49,15 +49,16 @@ impl<S: Scalar> Engine<S> for Discs<S> {
     type Dynamics = Plane;
 
     fn new(system: Arc<System<S>>, observer: &mut impl Observer<S>) -> Self {
-        let start: Vec<_> = system.flights.iter().map(|&flight| (flight, Track::new())).collect();
-        let mut discs = Self::with(system, &start, S::ZERO);
+        let flights = Arc::clone(&system);
+        let start = flights.flights.iter().map(|&flight| (flight, Track::new()));
+        let mut discs = Self::with(system, start, S::ZERO);
         discs.energy_at_start = discs.energy_at(S::ZERO);
         discs.begin(observer);
         discs
     }
 
     fn resume(run: &Run<S>) -> Self {
-        let mut discs = Self::with(run.system.clone(), &run.balls, run.end_time);
+        let mut discs = Self::with(run.system.clone(), run.balls.iter().copied(), run.end_time);
         discs.diagnostics = run.diagnostics.clone();
         discs.events = run.diagnostics.total_events();
         discs.energy_at_start = run.diagnostics.initial_energy;
@@ -195,7 +196,11 @@ impl<S: Scalar> Discs<S> {
         true
     }
 
-    fn with(system: Arc<System<S>>, balls: &[(Flight<S>, Track<S>)], time: S) -> Self {
+    fn with(
+        system: Arc<System<S>>,
+        balls: impl ExactSizeIterator<Item = (Flight<S>, Track<S>)>,
+        time: S,
+    ) -> Self {
         let is_plain = system.field == Vec2::ZERO && !system.has_backs;
         let is_grid_worth_it = is_plain && balls.len() >= system.grid_from;
         let many = is_grid_worth_it || system.is_periodic();
@@ -220,12 +225,12 @@ impl<S: Scalar> Discs<S> {
     }
 
     /// Puts the balls where their flights have brought them by a time.
-    fn put(&mut self, balls: &[(Flight<S>, Track<S>)], time: S) {
+    fn put(&mut self, balls: impl Iterator<Item = (Flight<S>, Track<S>)>, time: S) {
         self.balls.clear();
         self.rest.clear();
-        for (number, ((flight, track), disc)) in balls.iter().zip(&self.system.discs).enumerate() {
-            self.balls.push(Ball::new(number, disc.radius, flight, track.changes));
-            self.rest.push(Rest { acceleration: flight.acceleration, track: *track });
+        for (number, ((flight, track), disc)) in balls.zip(&self.system.discs).enumerate() {
+            self.balls.push(Ball::new(number, disc.radius, &flight, track.changes));
+            self.rest.push(Rest { acceleration: flight.acceleration, track });
         }
         if let Some(many) = &mut self.many {
             many.put(&mut self.balls, time);
