@@ -42,6 +42,8 @@ pub struct Discs<S> {
     pub(super) has_field: bool,
     /// Neither a field nor thin walls: prediction takes a shorter way.
     pub(super) is_plain: bool,
+    /// A ball's last contact is kept beside its flight: that is not just where it began, or the laws ask for it.
+    notes_contacts: bool,
     pub(super) fault: Option<Fault>,
 }
 
@@ -116,7 +118,7 @@ impl<S: Scalar> Engine<S> for Discs<S> {
     fn ball(&self, ball: usize) -> (Flight<S>, Track<S>) {
         let (line, mut track) = (&self.balls[ball], self.rest[ball].track);
         track.changes = line.changes;
-        if self.is_plain && !self.system.collapse_is_elastic && line.changes > 0 {
+        if !self.notes_contacts && line.changes > 0 {
             track.last_contact = line.start;
         }
         (self.flight(ball), track)
@@ -214,6 +216,7 @@ impl<S: Scalar> Discs<S> {
             energy_at_start: 0.0,
             has_field: system.field != Vec2::ZERO,
             is_plain,
+            notes_contacts: !is_plain || system.collapse_is_elastic,
             fault: None,
             system,
         };
@@ -291,6 +294,12 @@ impl<S: Scalar> Discs<S> {
     /// Starts a ball's new flight, free of any cushion that held it.
     #[inline(always)]
     pub(super) fn begin_flight(&mut self, ball: usize, flight: Flight<S>) {
+        self.begin_flight_of::<true>(ball, flight);
+    }
+
+    /// The same where it is known whether there are many balls: of a few none goes round a table.
+    #[inline(always)]
+    pub(super) fn begin_flight_of<const MANY: bool>(&mut self, ball: usize, flight: Flight<S>) {
         let line = &mut self.balls[ball];
         (line.start, line.position, line.velocity) = (flight.start, flight.position, flight.velocity);
         line.changes = line.changes.wrapping_add(1);
@@ -298,7 +307,7 @@ impl<S: Scalar> Discs<S> {
         if changes & (BURST_LIMIT - 1) == 0 {
             self.end_burst(ball, flight.start);
         }
-        if rounds != [0; 2] {
+        if MANY && rounds != [0; 2] {
             self.keep_rounds(ball);
         }
         if !self.is_plain {
@@ -327,7 +336,7 @@ impl<S: Scalar> Discs<S> {
     /// Notes that a ball had a contact, where that is not just where its flight began, or the laws ask for it.
     #[inline(always)]
     pub(super) fn note_contact(&mut self, ball: usize, time: S) {
-        if !self.is_plain || self.system.collapse_is_elastic {
+        if self.notes_contacts {
             self.rest[ball].track.last_contact = time;
         }
     }

@@ -56,7 +56,7 @@ impl<S: Scalar> Discs<S> {
         let bounce = self.bounce::<MANY>(ball, cushion, time, offset);
         let flight = self.free_flight(time, bounce.after());
         if let Some(next) = self.next_on::<MANY>(ball, &flight, Target::Cushion(cushion)) {
-            self.begin_flight(ball, flight);
+            self.begin_flight_of::<MANY>(ball, flight);
             self.schedule_with::<MANY>(ball, next);
             self.note_bounce(&bounce);
             self.emit(&bounce.event(), observer);
@@ -146,9 +146,9 @@ impl<S: Scalar> Discs<S> {
         let collision = self.collision::<MANY>([a, b], time, offset);
         let [flight_a, flight_b] = collision.after().map(|state| self.free_flight(time, state));
         if let Some([next_a, next_b]) = self.next_of_two::<MANY>([a, b], [&flight_a, &flight_b]) {
-            self.begin_flight(a, flight_a);
+            self.begin_flight_of::<MANY>(a, flight_a);
             self.schedule_with::<MANY>(a, next_a);
-            self.begin_flight(b, flight_b);
+            self.begin_flight_of::<MANY>(b, flight_b);
             self.schedule_with::<MANY>(b, next_b);
             self.note_collision(&collision);
             self.emit(&collision.event(), observer);
