@@ -52,7 +52,8 @@ impl<S: Scalar> Many<S> {
 }
 
 impl<S: Scalar> Discs<S> {
-    /// The ball whose event comes first, and that event, if it is no later than `limit`; lets balls come into other cells on the way.
+    /// The ball whose event comes first, and that event, if it is no later than `limit`; lets balls come into other cells on
+    /// the way.
     #[inline(always)]
     pub(super) fn first_of_many(&mut self, limit: S) -> Option<(usize, Pending<S>)> {
         loop {
