@@ -268,7 +268,9 @@ impl<S: Scalar> Discs<S> {
             calendar.fetch(ball);
         }
         fetch(&self.balls, ball);
-        fetch(&self.system.discs, ball);
+        if !self.system.are_alike {
+            fetch(&self.system.discs, ball);
+        }
     }
 }
 
