@@ -6,6 +6,7 @@
 //! gone round the table once more.
 
 use super::ball::Ball;
+use super::four::{Four, MOST_BALLS};
 use super::simd::Candidates;
 use crate::geometry::Bounds;
 use crate::memory::{fetch, room_for};
@@ -26,9 +27,6 @@ const MOST_CELLS: f64 = 65_535.0;
 
 /// A cell is larger than two balls by this part of them, which no rounding of a place comes near.
 const SLACK: f64 = 1e-6;
-
-/// Places in a cell for a start; a full cell makes all of them twice as large.
-const FEW: usize = 4;
 
 /// Beyond this many rounds a flight begins anew at the side of the table: they are counted in few bits, and so are the
 /// differences of two.
@@ -60,12 +58,10 @@ pub struct Grid {
     /// Columns and rows.
     count: [usize; 2],
     periodic: [bool; 2],
-    /// Places in each cell.
-    places: usize,
-    /// The balls of each cell, row by row, `places` for each.
-    balls: Vec<u32>,
-    /// How many are in each.
-    filled: Vec<u32>,
+    /// Fours of balls in each cell.
+    width: usize,
+    /// The balls of each cell, row by row; those of a cell are in the first of its fours.
+    balls: Vec<Four>,
 }
 
 /// Cells that lie together, from the first column and row to the last; those beyond a side of the table are on its other
@@ -108,23 +104,22 @@ impl Grid {
         };
         let [columns, rows] = [along(width, periodic[0]), along(height, periodic[1])];
         let goes_round = periodic[0] || periodic[1];
-        if wanted <= 0.0 || (columns * rows < FEWEST_CELLS && !goes_round) {
+        if wanted <= 0.0 || balls > MOST_BALLS || (columns * rows < FEWEST_CELLS && !goes_round) {
             return None;
         }
         let (size, extent) = ([width / columns, height / rows], [width, height]);
         let count = [columns as usize, rows as usize];
         let cells = count[0] * count[1];
-        let (mut balls, mut filled) = (room_for(cells * FEW), room_for(cells));
-        balls.resize(cells * FEW, 0);
-        filled.resize(cells, 0);
+        let mut balls = room_for(cells);
+        balls.resize(cells, Four::NOBODY);
         let edges = [0, 1].map(|axis| edges(size[axis], extent[axis], count[axis], periodic[axis]));
         let lower = [bounds.min.x.to_f64(), bounds.min.y.to_f64()];
-        Some(Self { lower, extent, size, edges, count, periodic, places: FEW, balls, filled })
+        Some(Self { lower, extent, size, edges, count, periodic, width: 1, balls })
     }
 
     /// Takes all balls out.
     pub fn clear(&mut self) {
-        self.filled.fill(0);
+        self.balls.fill(Four::NOBODY);
     }
 
     #[inline(always)]
@@ -191,35 +186,38 @@ impl Grid {
         true
     }
 
+    /// The balls of a cell.
+    #[inline(always)]
+    fn fours_of(&mut self, cell: [u16; 2]) -> &mut [Four] {
+        let at = self.cell(cell) * self.width;
+        &mut self.balls[at..at + self.width]
+    }
+
     fn enter<S>(&mut self, ball: &Ball<S>) {
-        let cell = self.cell(ball.cell);
-        if self.filled[cell] as usize == self.places {
+        if !self.fours_of(ball.cell).iter_mut().any(|four| four.push(ball.number)) {
             self.grow();
+            self.enter(ball);
         }
-        let filled = self.filled[cell] as usize;
-        self.balls[cell * self.places + filled] = ball.number;
-        self.filled[cell] += 1;
     }
 
     #[cold]
     fn grow(&mut self) {
         let mut balls = room_for(self.balls.len() * 2);
-        balls.resize(self.balls.len() * 2, 0);
-        for (cell, old) in self.balls.chunks_exact(self.places).enumerate() {
-            let at = cell * self.places * 2;
-            balls[at..at + self.places].copy_from_slice(old);
+        balls.resize(self.balls.len() * 2, Four::NOBODY);
+        for (cell, old) in self.balls.chunks_exact(self.width).enumerate() {
+            let at = cell * self.width * 2;
+            balls[at..at + self.width].copy_from_slice(old);
         }
-        (self.balls, self.places) = (balls, self.places * 2);
+        (self.balls, self.width) = (balls, self.width * 2);
     }
 
+    /// The last ball of a cell takes the place of the one that leaves.
     fn leave<S>(&mut self, ball: &Ball<S>) {
-        let cell = self.cell(ball.cell);
-        let at = cell * self.places;
-        let last = self.filled[cell] as usize - 1;
-        let there = &mut self.balls[at..=at + last];
-        if let Some(place) = there.iter().position(|&number| number == ball.number) {
-            there[place] = there[last];
-            self.filled[cell] = last as u32;
+        let fours = self.fours_of(ball.cell);
+        if let Some(last) = fours.iter_mut().rev().find_map(Four::pop)
+            && last != ball.number
+        {
+            fours.iter_mut().any(|four| four.replace(ball.number, last));
         }
     }
 
@@ -300,8 +298,8 @@ impl Grid {
         candidates.clear(true);
         let mut has_room = true;
         self.each_cell(window, |cell, round| {
-            let places = &self.balls[cell * self.places..(cell + 1) * self.places];
-            has_room &= candidates.add_cell(places, self.filled[cell], round);
+            let fours = &self.balls[cell * self.width..(cell + 1) * self.width];
+            has_room &= candidates.add_cell(fours, round);
         });
         has_room
     }
@@ -312,20 +310,14 @@ impl Grid {
         first: usize,
         candidates: &mut Candidates,
     ) -> bool {
-        candidates.add_cells::<COLUMNS, ROWS>((&self.balls, self.places), &self.filled, first, self.count[0])
+        candidates.add_cells::<COLUMNS, ROWS>((&self.balls, self.width), first, self.count[0])
     }
 
-    /// Hands over the balls of some cells by four places: how many balls from the first of them on the cell has, and how often
-    /// one has gone round to be there.
-    pub fn each_four(&self, window: &Window, mut meet: impl FnMut(&[u32; FEW], usize, [i16; 2])) {
+    /// Hands over the balls of some cells by fours, and how often one has gone round to be there.
+    pub fn each_four(&self, window: &Window, mut meet: impl FnMut(&Four, [i16; 2])) {
         self.each_cell(window, |cell, round| {
-            let (at, filled) = (cell * self.places, self.filled[cell] as usize);
-            let (fours, _) = self.balls[at..at + self.places].as_chunks::<FEW>();
-            for (place, four) in fours.iter().enumerate() {
-                if place * FEW < filled {
-                    meet(four, filled - place * FEW, round);
-                }
-            }
+            let fours = &self.balls[cell * self.width..(cell + 1) * self.width];
+            fours.iter().take_while(|four| four.count() > 0).for_each(|four| meet(four, round));
         });
     }
 
@@ -355,9 +347,8 @@ impl Grid {
     #[inline(always)]
     pub fn fetch_around(&self, cell: [u16; 2]) {
         for row in self.rows_around(cell) {
-            fetch(&self.filled, row);
-            fetch(&self.balls, row.wrapping_sub(1).wrapping_mul(self.places));
-            fetch(&self.balls, row.wrapping_add(1).wrapping_mul(self.places));
+            fetch(&self.balls, row.wrapping_sub(1).wrapping_mul(self.width));
+            fetch(&self.balls, row.wrapping_add(1).wrapping_mul(self.width));
         }
     }
 
@@ -366,11 +357,11 @@ impl Grid {
     #[inline(always)]
     pub fn each_near_in_memory(&self, cell: [u16; 2], mut meet: impl FnMut(u32)) {
         for row in self.rows_around(cell) {
-            let at = row.wrapping_sub(1).wrapping_mul(self.places);
-            let three = self.balls.get(at..at.wrapping_add(3 * self.places)).unwrap_or_default();
-            for place in three.chunks_exact(self.places) {
-                meet(place[0]);
-                meet(place[1]);
+            let at = row.wrapping_sub(1).wrapping_mul(self.width);
+            let three = self.balls.get(at..at.wrapping_add(3 * self.width)).unwrap_or_default();
+            for four in three.iter().step_by(self.width) {
+                meet(four.guess(0));
+                meet(four.guess(1));
             }
         }
     }
@@ -417,7 +408,7 @@ mod tests {
             cell = ball.cell;
         }
         let mut found = 0;
-        grid.each_four(&grid.around(cell), |_, count, _| found += count.min(4));
+        grid.each_four(&grid.around(cell), |four, _| found += four.count());
         assert_eq!(found, 70_000);
     }
 }

@@ -205,12 +205,12 @@ impl<S: Scalar> Discs<S> {
         let Some(Many { grid, .. }) = &self.many else { return true };
         let mut is_clear = true;
         asked.candidates.clear(true);
-        grid.each_four(window, |four, count, round| {
+        grid.each_four(window, |four, round| {
             if !asked.candidates.has_room_for(4) {
                 is_clear &= first_meeting(asked);
                 asked.candidates.clear(true);
             }
-            asked.candidates.add_cell(four, count.min(4) as u32, round);
+            asked.candidates.add_cell(core::slice::from_ref(four), round);
         });
         is_clear & first_meeting(asked)
     }
@@ -229,8 +229,8 @@ impl<S: Scalar> Discs<S> {
             return;
         };
         let own = &self.balls[ball];
-        grid.each_four(&grid.around(own.cell), |four, count, round| {
-            for &number in &four[..count.min(4)] {
+        grid.each_four(&grid.around(own.cell), |four, round| {
+            for &number in four.numbers() {
                 let rounds = self.rounds_between(own, number, round);
                 let shift = (rounds != [0; 2]).then(|| self.system.shift(rounds));
                 meet(number as usize, shift);

@@ -6,6 +6,7 @@ mod bins;
 mod calendar;
 mod cluster;
 mod discs;
+mod four;
 mod grid;
 mod hold;
 mod interface;

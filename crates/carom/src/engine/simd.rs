@@ -7,6 +7,7 @@
 #![allow(unsafe_code)]
 
 use super::ball::Ball;
+use super::four::Four;
 use crate::detect::{Relative, squared_tolerance};
 use crate::geometry::Vec2;
 use crate::model::ContactTolerance;
@@ -78,84 +79,75 @@ impl Candidates {
     }
 
     /// Takes the balls of some cells that lie together, where one does not go round to see any: so many columns of so many
-    /// rows from `first` on. Of all cells, which are `columns` to a row, are given the places, `width` for each, and how many
-    /// are filled. `false`, and they are not all taken, where a cell has more than four, there is no room, or one goes round.
+    /// rows from `first` on. Of all cells, which are `columns` to a row, each has `width` fours. `false`, and they are not all
+    /// taken, where a cell has more than four, there is no room, or one goes round.
     #[inline(always)]
     pub fn add_cells<const COLUMNS: usize, const ROWS: usize>(
         &mut self,
-        (places, width): (&[u32], usize),
-        filled: &[u32],
+        (fours, width): (&[Four], usize),
         first: usize,
         columns: usize,
     ) -> bool {
         let last = first + (ROWS - 1) * columns + COLUMNS;
         if self.is_round
-            || width < 4
-            || last > filled.len()
-            || last * width > places.len()
+            || width == 0
+            || last * width > fours.len()
             || !self.has_room_for(4 * COLUMNS * ROWS)
         {
             return false;
         }
-        // SAFETY: no cell is after the last, each has `width` places, which are four at least, and there is room.
+        // SAFETY: no cell is after the last, each has `width` fours, which is one at least, and there is room.
         unsafe {
-            if width == 4 {
-                self.add_cells_of::<COLUMNS, ROWS, true>((places, 4), filled, first, columns)
+            if width == 1 {
+                self.add_cells_of::<COLUMNS, ROWS, true>((fours, 1), first, columns)
             } else {
-                self.add_cells_of::<COLUMNS, ROWS, false>((places, width), filled, first, columns)
+                self.add_cells_of::<COLUMNS, ROWS, false>((fours, width), first, columns)
             }
         }
     }
 
-    /// The same, where it is known whether a cell has just four places.
+    /// The same, where it is known whether a cell has just one four.
     ///
     /// # Safety
     ///
-    /// All cells are there, have four places at least, and there is room for four balls of each.
+    /// All cells are there, have at least one, or two if not `ONE`, and there is room for four balls of each.
     #[inline(always)]
-    unsafe fn add_cells_of<const COLUMNS: usize, const ROWS: usize, const FOUR: bool>(
+    unsafe fn add_cells_of<const COLUMNS: usize, const ROWS: usize, const ONE: bool>(
         &mut self,
-        (places, width): (&[u32], usize),
-        filled: &[u32],
+        (fours, width): (&[Four], usize),
         first: usize,
         columns: usize,
     ) -> bool {
-        let (mut count, mut most) = (self.count, 0);
+        let (mut count, mut is_all) = (self.count, true);
         for row in 0..ROWS {
             for column in 0..COLUMNS {
-                let cell = first + row * columns + column;
+                let at = (first + row * columns + column) * width;
                 // All four are copied, so that nothing depends on how many; what is too much is written over.
                 // SAFETY: as of this function.
                 unsafe {
-                    let filled = *filled.get_unchecked(cell);
-                    let from = places.as_ptr().add(cell * width);
-                    core::ptr::copy_nonoverlapping(from, self.numbers_from(count), 4);
-                    if !FOUR {
-                        most = if filled > most { filled } else { most };
-                    }
-                    // Of a cell with more than four, no more than seven: the answer is no anyway.
-                    count += (filled & 7) as usize;
+                    let four = fours.get_unchecked(at);
+                    self.numbers_from(count).cast::<Four>().write_unaligned(*four);
+                    is_all &= ONE || fours.get_unchecked(at + 1).count() == 0;
+                    count += four.count();
                 }
             }
         }
         self.count = count;
-        most <= 4
+        is_all
     }
 
-    /// Takes the balls of a cell: its places, how many are filled, and how often one goes round to see them. `false`, and they
-    /// are not all taken, where there are more than four, or there is no room.
+    /// Takes the balls of a cell: its fours, and how often one goes round to see them. `false`, and they are not all taken,
+    /// where there are more than four, or there is no room.
     #[inline(always)]
-    pub fn add_cell(&mut self, places: &[u32], filled: u32, round: [i16; 2]) -> bool {
-        if places.len() < 4 || !self.has_room_for(4) {
-            return false;
-        }
-        // SAFETY: there are four places, and room for four.
+    pub fn add_cell(&mut self, fours: &[Four], round: [i16; 2]) -> bool {
+        let Some(four) = fours.first().filter(|_| self.has_room_for(4)) else { return false };
+        // SAFETY: there is room for four.
         unsafe {
-            core::ptr::copy_nonoverlapping(places.as_ptr(), self.numbers_from(self.count), 4);
+            self.numbers_from(self.count).cast::<Four>().write_unaligned(*four);
             self.rounds_from(self.count).cast::<[[i16; 2]; 4]>().write_unaligned([round; 4]);
         }
-        self.count += filled.min(4) as usize;
-        filled <= 4
+        self.count += four.count();
+        fours.get(1).is_none_or(|second| second.count() == 0)
     }
 
     /// From where on the numbers of balls go.
@@ -312,7 +304,7 @@ mod x86;
 #[cfg(test)]
 mod tests {
     use super::{
-        Ball, Candidates, Nearest, Nearness, Question, Touch, first_meeting, first_meeting_plain,
+        Ball, Candidates, Four, Nearest, Nearness, Question, Touch, first_meeting, first_meeting_plain,
         first_meetings,
     };
     use crate::detect::squared_tolerance;
@@ -362,9 +354,11 @@ mod tests {
             let is_round = random.below(2) == 0;
             let cells: Vec<_> = (0..random.below(4))
                 .map(|_| {
-                    let places = [0; 12].map(|_| random.below(40) as u32);
-                    let filled = [0; 3].map(|_| random.below(5) as u32);
-                    (places, filled, [random.below(3) as i16 - 1, random.below(3) as i16 - 1])
+                    let mut fours = [Four::NOBODY; 3];
+                    for four in &mut fours {
+                        (0..random.below(5)).for_each(|_| assert!(four.push(random.below(40) as u32)));
+                    }
+                    (fours, [random.below(3) as i16 - 1, random.below(3) as i16 - 1])
                 })
                 .collect();
             let time = if random.below(2) == 0 { f64::INFINITY } else { 2.0 * random.unit() };
@@ -380,12 +374,12 @@ mod tests {
                 });
                 for question in &mut asked {
                     question.candidates.clear(is_round);
-                    for (places, filled, round) in &cells {
+                    for (fours, round) in &cells {
                         let candidates = &mut question.candidates;
                         assert!(if is_round {
-                            candidates.add_cell(places, filled[0], *round)
+                            candidates.add_cell(&fours[..1], *round)
                         } else {
-                            candidates.add_cells::<1, 3>((places, 4), filled, 0, 1)
+                            candidates.add_cells::<1, 3>((fours, 1), 0, 1)
                         });
                     }
                 }
