@@ -242,21 +242,23 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     fn fetch_ahead(&self) {
         let Some(Many { grid, calendar, .. }) = &self.many else { return };
-        if let Some(ball) = calendar.coming(9) {
+        if let Some(ball) = calendar.coming(12) {
             self.fetch_ball(ball);
         }
         let partner = |ball| match calendar.awaited(ball).meeting().target {
             Target::Ball(other, _) => other as usize,
             _ => ball,
         };
-        if let Some(ball) = calendar.coming(6) {
+        if let Some(ball) = calendar.coming(9) {
             self.fetch_ball(partner(ball));
+        }
+        if let Some(ball) = calendar.coming(6) {
             grid.fetch_around(self.balls[ball].cell);
+            grid.fetch_around(self.balls[partner(ball)].cell);
         }
         if let Some(ball) = calendar.coming(3) {
             let other = partner(ball);
             grid.each_near_in_memory(self.balls[ball].cell, |near| fetch(&self.balls, near as usize));
-            grid.fetch_around(self.balls[other].cell);
             grid.each_near_in_memory(self.balls[other].cell, |near| fetch(&self.balls, near as usize));
         }
     }
