@@ -122,8 +122,9 @@ impl Grid {
         self.balls.fill(Four::NOBODY);
     }
 
+    /// Where a cell is in memory.
     #[inline(always)]
-    fn cell(&self, [column, row]: [u16; 2]) -> usize {
+    pub fn cell(&self, [column, row]: [u16; 2]) -> usize {
         row as usize * self.count[0] + column as usize
     }
 
@@ -345,7 +346,7 @@ impl Grid {
 
     /// Fetches what says who is in the cells around a cell.
     #[inline(always)]
-    pub fn fetch_around(&self, cell: [u16; 2]) {
+    pub fn fetch_around(&self, cell: usize) {
         for row in self.rows_around(cell) {
             fetch(&self.balls, row.wrapping_sub(1).wrapping_mul(self.width));
             fetch(&self.balls, row.wrapping_add(1).wrapping_mul(self.width));
@@ -355,7 +356,7 @@ impl Grid {
     /// Hands over the balls of the cells around a cell, as a guess: two of each, and those of whichever cells lie beside it
     /// in memory.
     #[inline(always)]
-    pub fn each_near_in_memory(&self, cell: [u16; 2], mut meet: impl FnMut(u32)) {
+    pub fn each_near_in_memory(&self, cell: usize, mut meet: impl FnMut(u32)) {
         for row in self.rows_around(cell) {
             let at = row.wrapping_sub(1).wrapping_mul(self.width);
             let three = self.balls.get(at..at.wrapping_add(3 * self.width)).unwrap_or_default();
@@ -366,11 +367,24 @@ impl Grid {
         }
     }
 
+    /// Where in memory the cell is that lies beyond a side of a cell, or that cell itself; at the sides of the table somewhere.
+    #[inline(always)]
+    pub fn beyond(&self, cell: [u16; 2], side: Option<Side>) -> usize {
+        let columns = self.count[0] as isize;
+        let step = match side {
+            None => 0,
+            Some(Side::Left) => -1,
+            Some(Side::Right) => 1,
+            Some(Side::Below) => -columns,
+            Some(Side::Above) => columns,
+        };
+        self.cell(cell).wrapping_add_signed(step)
+    }
+
     /// The cells below a cell, itself, and above.
     #[inline(always)]
-    fn rows_around(&self, cell: [u16; 2]) -> [usize; 3] {
-        let middle = self.cell(cell);
-        [middle.wrapping_sub(self.count[0]), middle, middle + self.count[0]]
+    fn rows_around(&self, cell: usize) -> [usize; 3] {
+        [cell.wrapping_sub(self.count[0]), cell, cell.wrapping_add(self.count[0])]
     }
 }
 

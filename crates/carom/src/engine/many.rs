@@ -252,14 +252,18 @@ impl<S: Scalar> Discs<S> {
         if let Some(ball) = calendar.coming(9) {
             self.fetch_ball(partner(ball));
         }
+        // Where a ball is by then.
+        let soon_in = |ball: usize| grid.beyond(self.balls[ball].cell, calendar.awaited(ball).leaves());
         if let Some(ball) = calendar.coming(6) {
-            grid.fetch_around(self.balls[ball].cell);
-            grid.fetch_around(self.balls[partner(ball)].cell);
+            grid.fetch_around(soon_in(ball));
+            grid.fetch_around(grid.cell(self.balls[partner(ball)].cell));
         }
         if let Some(ball) = calendar.coming(3) {
             let other = partner(ball);
-            grid.each_near_in_memory(self.balls[ball].cell, |near| fetch(&self.balls, near as usize));
-            grid.each_near_in_memory(self.balls[other].cell, |near| fetch(&self.balls, near as usize));
+            grid.each_near_in_memory(soon_in(ball), |near| fetch(&self.balls, near as usize));
+            grid.each_near_in_memory(grid.cell(self.balls[other].cell), |near| {
+                fetch(&self.balls, near as usize);
+            });
         }
     }
 
