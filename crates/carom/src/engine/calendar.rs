@@ -16,7 +16,7 @@ use core::cmp::Ordering;
 const BALLS_PER_LINE: f64 = 400.0;
 
 /// Lines in a bin, fewest and most.
-const LINES: [f64; 2] = [12.0, 4096.0];
+const LINES: [f64; 2] = [12.0, 1024.0];
 
 /// The calendar reaches over so many times the time in which a quarter of the balls has an event.
 const REACH: f64 = 16.0;
