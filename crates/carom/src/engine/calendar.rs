@@ -7,7 +7,7 @@
 
 use super::bins::Bins;
 use super::grid::Side;
-use super::queue::{Pending, Target};
+use super::queue::{Aim, Pending};
 use crate::memory::{fetch, room_for};
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
@@ -30,15 +30,10 @@ const FEW_LINES: usize = 32;
 /// A round of the calendar whose bins held so many times too few or too many lines lays it out anew.
 const TOLERANCE: f64 = 1.5;
 
-/// What a ball is about to do. In `f64` two fill a line of the cache.
+/// What a ball meets next, whether that comes before it leaves its cell or after. In `f64` two fill a line of the cache.
 #[derive(Clone, Copy, Debug)]
-pub struct Awaited<S> {
-    /// What it meets next, whether that comes before it leaves its cell or after.
-    time: S,
-    offset: S,
-    target: Target,
-    mark: Mark,
-}
+#[repr(align(32))]
+struct Awaited<S>(Pending<S>);
 
 /// Tells the line of what is awaited from those of before, and the side through which the ball leaves its cell if that comes
 /// first: this one in the last three bits.
@@ -57,6 +52,8 @@ struct Line<S> {
 #[derive(Clone, Debug)]
 pub struct Calendar<S> {
     awaited: Vec<Awaited<S>>,
+    /// The mark of each ball's line that holds, by themselves: there are many more looks at them than at what is awaited.
+    marks: Vec<Mark>,
     /// Bins of the time to come, going round; the number of them is a power of two.
     bins: Bins<Line<S>>,
     /// When bin 0 began.
@@ -98,39 +95,15 @@ impl Mark {
     }
 }
 
-impl<S: Scalar> Awaited<S> {
-    const NOTHING: Self =
-        Self { time: S::INFINITY, offset: S::INFINITY, target: Target::Nothing, mark: Mark(0) };
-
-    /// What the ball meets next, whether that comes before it leaves its cell or after.
-    #[inline(always)]
-    pub fn meeting(&self) -> Pending<S> {
-        Pending { time: self.time, offset: self.offset, target: self.target }
-    }
-
-    /// The side through which it leaves its cell if that comes before; at one time it does.
-    #[inline(always)]
-    pub fn leaves(&self) -> Option<Side> {
-        self.mark.side()
-    }
-
-    /// The order of what comes at one time: whoever leaves a cell, then by the lower number.
-    fn rank(&self, ball: usize) -> (u8, usize) {
-        match self.target {
-            _ if self.leaves().is_some() => (0, ball),
-            Target::Ball(other, _) => (1, ball.min(other as usize)),
-            _ => (1, ball),
-        }
-    }
-}
-
 impl<S: Scalar> Calendar<S> {
     /// A calendar of `balls` balls, none of which has anything to do.
     pub fn new(balls: usize) -> Self {
-        let mut awaited = room_for(balls);
-        awaited.resize(balls, Awaited::NOTHING);
+        let (mut awaited, mut marks) = (room_for(balls), room_for(balls));
+        awaited.resize(balls, Awaited(Pending::NEVER));
+        marks.resize(balls, Mark(0));
         Self {
             awaited,
+            marks,
             bins: Bins::new(2 * balls),
             origin: 0.0,
             rate: 0.0,
@@ -144,32 +117,32 @@ impl<S: Scalar> Calendar<S> {
         }
     }
 
-    /// What a ball is about to do.
+    /// What a ball meets next, whether that comes before it leaves its cell or after.
     #[inline(always)]
-    pub fn awaited(&self, ball: usize) -> &Awaited<S> {
-        &self.awaited[ball]
+    pub fn awaited(&self, ball: usize) -> &Pending<S> {
+        &self.awaited[ball].0
+    }
+
+    /// The side through which a ball leaves its cell if that comes before what it meets; at one time it does.
+    #[inline(always)]
+    pub fn leaves(&self, ball: usize) -> Option<Side> {
+        self.marks[ball].side()
     }
 
     /// Fetches what a ball is about to do.
     #[inline(always)]
     pub fn fetch(&self, ball: usize) {
         fetch(&self.awaited, ball);
+        fetch(&self.marks, ball);
     }
 
     /// Writes down what a ball is about to meet, and when and where it leaves its cell.
     #[inline(always)]
-    pub fn set(
-        &mut self,
-        ball: usize,
-        Pending { time, offset, target }: Pending<S>,
-        way_out: f64,
-        side: Side,
-    ) {
-        let awaited = &mut self.awaited[ball];
-        let leaves = way_out <= time.to_f64();
-        let mark = awaited.mark.next(leaves.then_some(side));
-        *awaited = Awaited { time, offset, target, mark };
-        let time = if leaves { S::from_f64(way_out) } else { time };
+    pub fn set(&mut self, ball: usize, next: Pending<S>, way_out: f64, side: Side) {
+        let leaves = way_out <= next.time.to_f64();
+        let mark = self.marks[ball].next(leaves.then_some(side));
+        (self.awaited[ball], self.marks[ball]) = (Awaited(next), mark);
+        let time = if leaves { S::from_f64(way_out) } else { next.time };
         self.write(Line { time, ball: ball as u32, mark });
     }
 
@@ -219,7 +192,7 @@ impl<S: Scalar> Calendar<S> {
                 continue;
             }
             let line = self.present[self.next];
-            if self.awaited[line.ball as usize].mark != line.mark {
+            if self.marks[line.ball as usize] != line.mark {
                 self.next += 1;
                 continue;
             }
@@ -233,8 +206,12 @@ impl<S: Scalar> Calendar<S> {
     #[cold]
     fn first_of_several(&self, line: Line<S>) -> usize {
         let all = self.present[self.next..].iter().take_while(|other| other.time == line.time);
-        let all = all.filter(|other| self.awaited[other.ball as usize].mark == other.mark);
-        let rank = |ball: usize| self.awaited[ball].rank(ball);
+        let all = all.filter(|other| self.marks[other.ball as usize] == other.mark);
+        // Whoever leaves a cell comes before all that meet anything.
+        let rank = |ball: usize| match self.leaves(ball) {
+            Some(_) => (false, (0, ball)),
+            None => (true, self.awaited(ball).target.rank(ball)),
+        };
         all.map(|other| other.ball as usize)
             .reduce(|first, ball| if rank(ball) < rank(first) { ball } else { first })
             .unwrap_or(line.ball as usize)
@@ -273,7 +250,7 @@ impl<S: Scalar> Calendar<S> {
         for place in 0..self.present.len() {
             let line = self.present[place];
             self.present[kept] = line;
-            kept += usize::from(self.awaited[line.ball as usize].mark == line.mark);
+            kept += usize::from(self.marks[line.ball as usize] == line.mark);
         }
         self.present.truncate(kept);
     }
@@ -319,7 +296,7 @@ impl<S: Scalar> Calendar<S> {
     fn lay_out(&mut self) -> bool {
         let mut lines: Vec<Line<S>> = core::mem::take(&mut self.later);
         (0..self.bins.len()).for_each(|bin| self.bins.take(bin, &mut lines));
-        lines.retain(|line| self.awaited[line.ball as usize].mark == line.mark);
+        lines.retain(|line| self.marks[line.ball as usize] == line.mark);
         let quarter = lines.len() / 4;
         if lines.is_empty() {
             return false;

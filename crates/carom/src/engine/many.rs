@@ -65,9 +65,9 @@ impl<S: Scalar> Discs<S> {
             if time > limit {
                 return None;
             }
-            let awaited = self.many.as_ref()?.calendar.awaited(ball);
-            let meeting = awaited.meeting();
-            let Some(side) = awaited.leaves() else { return Some((ball, meeting)) };
+            let calendar = &self.many.as_ref()?.calendar;
+            let meeting = *calendar.awaited(ball);
+            let Some(side) = calendar.leaves(ball) else { return Some((ball, meeting)) };
             self.cross(ball, side, meeting, time);
         }
     }
@@ -245,7 +245,7 @@ impl<S: Scalar> Discs<S> {
         if let Some(ball) = calendar.coming(12) {
             self.fetch_ball(ball);
         }
-        let partner = |ball| match calendar.awaited(ball).meeting().target {
+        let partner = |ball| match calendar.awaited(ball).target {
             Target::Ball(other, _) => other as usize,
             _ => ball,
         };
@@ -253,7 +253,7 @@ impl<S: Scalar> Discs<S> {
             self.fetch_ball(partner(ball));
         }
         // Where a ball is by then.
-        let soon_in = |ball: usize| grid.beyond(self.balls[ball].cell, calendar.awaited(ball).leaves());
+        let soon_in = |ball: usize| grid.beyond(self.balls[ball].cell, calendar.leaves(ball));
         if let Some(ball) = calendar.coming(6) {
             grid.fetch_around(soon_in(ball));
             grid.fetch_around(grid.cell(self.balls[partner(ball)].cell));
