@@ -27,17 +27,14 @@ pub fn room_for<T>(count: usize) -> Vec<T> {
     room
 }
 
-/// Fetches a line of memory that will be needed soon.
+/// Fetches a line of memory that will be needed soon; nothing where there is no such item.
 #[inline(always)]
 pub fn fetch<T>(items: &[T], place: usize) {
     #[cfg(target_arch = "x86_64")]
-    if let Some(item) = items.get(place) {
-        // SAFETY: a prefetch of any address is harmless, and this one is in the slice.
-        unsafe {
-            core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(
-                core::ptr::from_ref(item).cast(),
-            );
-        }
+    {
+        let item = items.as_ptr().wrapping_add(place);
+        // SAFETY: a prefetch of any address is harmless: it reads nothing, and fails nowhere.
+        unsafe { core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(item.cast()) };
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = (items, place);

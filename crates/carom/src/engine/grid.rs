@@ -358,11 +358,13 @@ impl Grid {
     #[inline(always)]
     pub fn each_near_in_memory(&self, cell: usize, mut meet: impl FnMut(u32)) {
         for row in self.rows_around(cell) {
-            let at = row.wrapping_sub(1).wrapping_mul(self.width);
-            let three = self.balls.get(at..at.wrapping_add(3 * self.width)).unwrap_or_default();
-            for four in three.iter().step_by(self.width) {
-                meet(four.guess(0));
-                meet(four.guess(1));
+            let first = row.wrapping_sub(1).wrapping_mul(self.width);
+            let [first, second, third] = [0, 1, 2].map(|column| first.wrapping_add(column * self.width));
+            if third < self.balls.len() && first < third {
+                for at in [first, second, third] {
+                    meet(self.balls[at].guess(0));
+                    meet(self.balls[at].guess(1));
+                }
             }
         }
     }

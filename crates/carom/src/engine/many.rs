@@ -14,7 +14,7 @@ use crate::scalar::Scalar;
 use crate::scenario::System;
 
 /// From so many balls on they do not fit into fast memory: what is needed next is fetched before.
-const FETCHED_FROM: usize = 30_000;
+const FETCHED_FROM: usize = 5_000;
 
 /// What there is for many balls.
 #[derive(Clone, Debug)]
