@@ -14,7 +14,7 @@ use crate::scalar::Scalar;
 use crate::scenario::System;
 
 /// From so many balls on they do not fit into fast memory: what is needed next is fetched before.
-const FETCHED_FROM: usize = 5_000;
+const FETCHED_FROM: usize = 40_000;
 
 /// What there is for many balls.
 #[derive(Clone, Debug)]
@@ -245,25 +245,28 @@ impl<S: Scalar> Discs<S> {
         if let Some(ball) = calendar.coming(12) {
             self.fetch_ball(ball);
         }
+        // Whom a ball meets, unless it leaves its cell before.
         let partner = |ball| match calendar.awaited(ball).target {
-            Target::Ball(other, _) => other as usize,
-            _ => ball,
+            Target::Ball(other, _) if calendar.leaves(ball).is_none() => Some(other as usize),
+            _ => None,
         };
-        if let Some(ball) = calendar.coming(9) {
-            self.fetch_ball(partner(ball));
-        }
-        // Where a ball is by then.
+        // Where in the grid a ball is by then.
         let soon_in = |ball: usize| grid.beyond(self.balls[ball].cell, calendar.leaves(ball));
+        let fetch_near = |cell| grid.each_near_in_memory(cell, |near| fetch(&self.balls, near as usize));
+        if let Some(other) = calendar.coming(9).and_then(partner) {
+            self.fetch_ball(other);
+        }
         if let Some(ball) = calendar.coming(6) {
             grid.fetch_around(soon_in(ball));
-            grid.fetch_around(grid.cell(self.balls[partner(ball)].cell));
+            if let Some(other) = partner(ball) {
+                grid.fetch_around(grid.cell(self.balls[other].cell));
+            }
         }
         if let Some(ball) = calendar.coming(3) {
-            let other = partner(ball);
-            grid.each_near_in_memory(soon_in(ball), |near| fetch(&self.balls, near as usize));
-            grid.each_near_in_memory(grid.cell(self.balls[other].cell), |near| {
-                fetch(&self.balls, near as usize);
-            });
+            fetch_near(soon_in(ball));
+            if let Some(other) = partner(ball) {
+                fetch_near(grid.cell(self.balls[other].cell));
+            }
         }
     }
 
