@@ -81,6 +81,9 @@ mod tests {
         assert_eq!((four.count(), four.numbers()), (4, &numbers[..]));
         assert!(four.replace(7, 8));
         assert!(!four.replace(7, 8));
-        assert_eq!(core::array::from_fn(|_| four.pop()), [Some(3), Some(MOST_BALLS as u32 - 1), Some(8), Some(0), None]);
+        assert_eq!(
+            core::array::from_fn(|_| four.pop()),
+            [Some(3), Some(MOST_BALLS as u32 - 1), Some(8), Some(0), None]
+        );
     }
 }

@@ -89,10 +89,7 @@ impl Candidates {
         columns: usize,
     ) -> bool {
         let last = first + (ROWS - 1) * columns + COLUMNS;
-        if self.is_round
-            || width == 0
-            || last * width > fours.len()
-            || !self.has_room_for(4 * COLUMNS * ROWS)
+        if self.is_round || width == 0 || last * width > fours.len() || !self.has_room_for(4 * COLUMNS * ROWS)
         {
             return false;
         }
