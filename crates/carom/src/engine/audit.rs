@@ -19,7 +19,7 @@ impl<S: Scalar> Discs<S> {
         for ball in 0..self.balls.len() {
             let State { position, velocity } = self.state_at(ball, time);
             let kinetic = S::from_f64(0.5) * velocity.norm_squared();
-            sum += self.system.disc(ball).mass * (kinetic - self.system.field.dot(position));
+            sum += self.disc(ball).mass * (kinetic - self.system.field.dot(position));
         }
         sum.to_f64()
     }

@@ -14,6 +14,7 @@ use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::law::{ball_ball, ball_cushion};
 use crate::memory::room_for;
+use crate::model::Disc;
 use crate::run::{Diagnostics, Event, Kind, Observer, Plane, Run, Track};
 use crate::scalar::Scalar;
 use crate::scenario::System;
@@ -40,6 +41,8 @@ pub struct Discs<S> {
     pub(super) events: u64,
     energy_at_start: f64,
     pub(super) has_field: bool,
+    /// All balls are of one size and mass.
+    pub(super) are_alike: bool,
     /// Neither a field nor thin walls: prediction takes a shorter way.
     pub(super) is_plain: bool,
     /// A ball's last contact is kept beside its flight: that is not just where it began, or the laws ask for it.
@@ -215,6 +218,7 @@ impl<S: Scalar> Discs<S> {
             events: 0,
             energy_at_start: 0.0,
             has_field: system.field != Vec2::ZERO,
+            are_alike: system.discs.windows(2).all(|two| two[0] == two[1]),
             is_plain,
             notes_contacts: !is_plain || system.collapse_is_elastic,
             fault: None,
@@ -269,6 +273,13 @@ impl<S: Scalar> Discs<S> {
             Target::Release(cushion) => (Some(Kind::Release), None, Some(cushion), None),
         };
         Coming { ball, kind, other, cushion, time: pending.time, gap }
+    }
+
+    /// What stays the same about a ball. Where all are alike it is read of the first: of a great many, each in a place of its
+    /// own is far away.
+    #[inline(always)]
+    pub(super) fn disc(&self, ball: usize) -> &Disc<S> {
+        &self.system.discs[if self.are_alike { 0 } else { ball }]
     }
 
     /// The flight from a state on, free of any cushion.

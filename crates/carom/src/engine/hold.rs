@@ -31,7 +31,7 @@ impl<S: Scalar> Discs<S> {
                 lost += S::from_f64(0.5) * flight.velocity.norm_squared();
                 (flight.velocity, flight.acceleration) = (Vec2::ZERO, Vec2::ZERO);
             }
-            let disc = *self.system.disc(ball);
+            let disc = *self.disc(ball);
             self.diagnostics.energy_loss += (disc.mass * lost).to_f64();
             let event = Event {
                 time: flight.start,

@@ -277,7 +277,7 @@ impl<S: Scalar> Discs<S> {
             calendar.fetch(ball);
         }
         fetch(&self.balls, ball);
-        if !self.system.are_alike {
+        if !self.are_alike {
             fetch(&self.system.discs, ball);
         }
     }

@@ -84,7 +84,7 @@ impl<S: Scalar> Discs<S> {
         let (own, kept_speed) = (law.restitution(closing_speed), self.kept_speed(ball, None));
         let restitution = restitution_keeping(own, kept_speed, closing_speed);
         let rebound = law.rebound(before.velocity, (normal, normal_scale), restitution);
-        let (mass, point) = (self.system.disc(ball).mass, face.foot(before.position));
+        let (mass, point) = (self.disc(ball).mass, face.foot(before.position));
         Bounce { ball, cushion, time, mass, before, point, normal, normal_scale, rebound }
     }
 
@@ -175,7 +175,7 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     fn collision<const MANY: bool>(&self, balls: [usize; 2], time: S, offset: S) -> Collision<S> {
         let [a, b] = balls;
-        let discs = [*self.system.disc(a), *self.system.disc(b)];
+        let discs = [*self.disc(a), *self.disc(b)];
         let (flight_a, flight_b) = (self.flight(a), self.flight(b));
         let start = flight_a.later_start(&flight_b);
         let mut before = [

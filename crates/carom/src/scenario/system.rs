@@ -19,10 +19,8 @@ const GRID_FROM: usize = 25;
 /// Cushions are numbered as the table has them, corners after them.
 #[derive(Clone, Debug)]
 pub struct System<S> {
-    /// The balls; [`System::disc`] reads one.
+    /// The balls.
     pub discs: Vec<Disc<S>>,
-    /// Whether they are all of one size and mass.
-    pub are_alike: bool,
     /// Their flights at time zero.
     pub flights: Vec<Flight<S>>,
     /// The faces of cushions and corners.
@@ -103,7 +101,6 @@ impl<S: Scalar> System<S> {
         discs.extend(starts.iter().map(|start| Disc::new(start.radius, start.mass)));
         let flights: Vec<_> = starts.iter().map(|start| flight(start, field)).collect();
         Self {
-            are_alike: discs.windows(2).all(|two| two[0] == two[1]),
             collapse_times: collapse_times(&discs, &flights, field, table.size()),
             collapse_is_elastic: scenario.physics.collapse() == Collapse::Tc,
             has_backs: backs.iter().any(Option::is_some),
@@ -124,12 +121,6 @@ impl<S: Scalar> System<S> {
             field,
             tolerance,
         }
-    }
-
-    /// A ball. Where all are alike it is read of the first: of a great many, each in a place of its own is far away.
-    #[inline(always)]
-    pub(crate) fn disc(&self, ball: usize) -> &Disc<S> {
-        &self.discs[if self.are_alike { 0 } else { ball }]
     }
 }
 

@@ -41,7 +41,7 @@ impl<S: Scalar> Discs<S> {
             };
             let (normal, scale) = self.system.faces.all[cushion as usize].normal_at(member.position);
             let rebound = law.rebound(body.velocity, (normal, scale), restitution);
-            let mass = self.system.disc(member.ball).mass;
+            let mass = self.disc(member.ball).mass;
             let impulse = (rebound.velocity - body.velocity).dot(normal) * scale * mass;
             let closing_speed = -rebound.normal_velocity;
             body.turn(rebound.velocity);

@@ -86,7 +86,7 @@ impl<S: Scalar> Discs<S> {
         let mut change = S::ZERO;
         let mut momentum = Vec2::ZERO;
         for member in members {
-            let mass = self.system.disc(member.ball).mass;
+            let mass = self.disc(member.ball).mass;
             change += mass * (member.velocity.norm_squared() - member.before.norm_squared());
             momentum = momentum + (member.velocity - member.before) * mass;
         }

@@ -19,7 +19,7 @@ impl<S: Scalar> Discs<S> {
         time: S,
     ) -> Vec<Event<S>> {
         let mut bodies: Vec<Body<S>> =
-            members.iter().map(|m| Body::new(m.velocity, self.system.disc(m.ball).inverse_mass)).collect();
+            members.iter().map(|m| Body::new(m.velocity, self.disc(m.ball).inverse_mass)).collect();
         let mut touches: Vec<Touch<S>> = contacts.iter().map(|c| self.touch(c, members, time)).collect();
         self.resolve_normal(&mut bodies, &mut touches);
         if self.slide(&mut bodies, &touches, contacts, members, time) {
