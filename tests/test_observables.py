@@ -275,7 +275,6 @@ def test_the_shell_makes_a_gas_from_its_options(monkeypatch: pytest.MonkeyPatch)
     assert given == {"n": 196, "packing_fraction": 0.3, "periodic": ["x"], "seed": 4, "collisions": 5000}
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to a single child")
 class Terminal(io.StringIO):
     """What is printed, as to a terminal."""
 
@@ -299,6 +298,7 @@ def test_a_terminal_is_told_what_takes_its_time(monkeypatch: pytest.MonkeyPatch,
     assert [word in resumed for word in ("reading the checkpoint", " samples")] == [True] * 2
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to a single child")
 def test_ctrl_c_ends_a_measurement_in_the_shell_with_what_is_there(saved: Path, tmp_path: Path) -> None:
     code = """
 import sys, threading, signal
