@@ -117,6 +117,16 @@ impl<S: Scalar> Calendar<S> {
         }
     }
 
+    /// Strikes everything out: no ball has anything to do.
+    pub fn clear(&mut self) {
+        self.awaited.fill(Awaited(Pending::NEVER));
+        self.marks.fill(Mark(0));
+        self.bins.lay_out(0);
+        self.present.clear();
+        self.later.clear();
+        (self.origin, self.rate, self.bin, self.next, self.lines) = (0.0, 0.0, 0, 0, 0);
+    }
+
     /// What a ball meets next, whether that comes before it leaves its cell or after.
     #[inline(always)]
     pub fn awaited(&self, ball: usize) -> &Pending<S> {

@@ -46,7 +46,7 @@ impl<S: Scalar> Many<S> {
     /// Puts the balls where their flights have brought them by a time.
     pub(super) fn put(&mut self, balls: &mut [Ball<S>], time: S) {
         self.grid.clear();
-        self.calendar = Calendar::new(balls.len());
+        self.calendar.clear();
         balls.iter_mut().for_each(|ball| self.grid.place(ball, time));
     }
 }
