@@ -8,7 +8,7 @@
 use super::ball::Ball;
 use super::four::{Four, MOST_BALLS};
 use super::simd::Candidates;
-use crate::geometry::Bounds;
+use crate::geometry::{Bounds, Vec2};
 use crate::memory::{fetch, room_for};
 use crate::scalar::Scalar;
 
@@ -128,9 +128,10 @@ impl Grid {
         row as usize * self.count[0] + column as usize
     }
 
-    /// Puts a ball, which has not gone round yet, into the cell where its flight has brought it by a time.
-    pub fn place<S: Scalar>(&mut self, ball: &mut Ball<S>, time: S) {
-        let there = ball.position + ball.velocity * (time - ball.start);
+    /// Puts a ball, which has not gone round yet, into the cell of a place where its flight has brought it.
+    ///
+    /// By round-off that may be the cell beside: then it leaves it at once, or comes into it soon.
+    pub fn place<S: Scalar>(&mut self, ball: &mut Ball<S>, there: Vec2<S>) {
         ball.rounds = [0; 2];
         for (axis, there) in [there.x.to_f64(), there.y.to_f64()].into_iter().enumerate() {
             let mut along = there - self.lower[axis];
@@ -142,37 +143,12 @@ impl Grid {
             let last = self.count[axis] as f64 - 1.0;
             ball.cell[axis] = (along / self.size[axis]).clamp(0.0, last) as u16;
         }
-        self.settle(ball, time.to_f64());
         self.enter(ball);
     }
 
-    /// Corrects the cell of a ball by the times at which it crosses sides: they decide, not where it seems to be.
-    fn settle<S: Scalar>(&self, ball: &mut Ball<S>, time: f64) {
-        let leaves = |ball: &Ball<S>, axis| ball.start.to_f64() + self.leaves(ball, axis);
-        for (axis, velocity) in [ball.velocity.x, ball.velocity.y].into_iter().enumerate() {
-            if velocity == S::ZERO {
-                continue;
-            }
-            let is_up = velocity > S::ZERO;
-            // Going back one cell and asking when it leaves that one tells when it came into this.
-            for _ in 0..2 {
-                let mut before = *ball;
-                if !self.turn(&mut before, axis, !is_up) {
-                    break;
-                }
-                if leaves(&before, axis) > time {
-                    *ball = before;
-                } else {
-                    break;
-                }
-            }
-            while leaves(ball, axis) <= time && self.turn(ball, axis, is_up) {}
-        }
-    }
-
-    /// Moves a ball's cell by one along an axis; says whether there is one.
+    /// Moves a ball's cell by one along an axis, if there is one.
     #[inline(always)]
-    fn turn<S>(&self, ball: &mut Ball<S>, axis: usize, is_up: bool) -> bool {
+    fn turn<S>(&self, ball: &mut Ball<S>, axis: usize, is_up: bool) {
         let last = (self.count[axis] - 1) as u16;
         let (edge, beyond, round) = if is_up { (last, 0, 1) } else { (0, last, -1) };
         let cell = &mut ball.cell[axis];
@@ -181,10 +157,7 @@ impl Grid {
         } else if self.periodic[axis] {
             *cell = beyond;
             ball.rounds[axis] += round;
-        } else {
-            return false;
         }
-        true
     }
 
     /// The balls of a cell.
@@ -403,9 +376,8 @@ fn edges(size: f64, extent: f64, count: usize, is_periodic: bool) -> Vec<f64> {
 mod tests {
     #![allow(clippy::unwrap_used)]
 
-    use super::{Ball, Bounds, Grid};
+    use super::{Ball, Bounds, Grid, Vec2};
     use crate::flight::Flight;
-    use crate::geometry::Vec2;
 
     #[test]
     fn a_cell_holds_more_points_than_sixteen_bits_count() {
@@ -420,7 +392,7 @@ mod tests {
         let mut cell = [0; 2];
         for number in 0..70_000 {
             let mut ball = Ball::new(number, 0.0, &still, 0);
-            grid.place(&mut ball, 0.0);
+            grid.place(&mut ball, still.position);
             cell = ball.cell;
         }
         let mut found = 0;

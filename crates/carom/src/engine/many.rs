@@ -47,7 +47,10 @@ impl<S: Scalar> Many<S> {
     pub(super) fn put(&mut self, balls: &mut [Ball<S>], time: S) {
         self.grid.clear();
         self.calendar.clear();
-        balls.iter_mut().for_each(|ball| self.grid.place(ball, time));
+        for ball in balls {
+            let there = ball.position + ball.velocity * (time - ball.start);
+            self.grid.place(ball, there);
+        }
     }
 }
 
