@@ -3,6 +3,7 @@
 use super::discs::Discs;
 use super::interface::Fault;
 use crate::flight::State;
+use crate::geometry::Vec2;
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Discs<S> {
@@ -13,15 +14,22 @@ impl<S: Scalar> Discs<S> {
         State { position: self.system.wrapped(position, self.balls[ball].rounds), velocity }
     }
 
-    /// Energy of all balls: kinetic, and potential in the field.
+    /// Energy of all balls: kinetic, and potential in the field, also of what they have gone round a periodic table.
     pub fn energy_at(&self, time: S) -> f64 {
         let mut sum = S::ZERO;
         for ball in 0..self.balls.len() {
             let State { position, velocity } = self.state_at(ball, time);
             let kinetic = S::from_f64(0.5) * velocity.norm_squared();
-            sum += self.disc(ball).mass * (kinetic - self.system.field.dot(position));
+            let gone = if self.has_field { position + self.round(ball) } else { position };
+            sum += self.disc(ball).mass * (kinetic - self.system.field.dot(gone));
         }
         sum.to_f64()
+    }
+
+    /// The way that a ball has gone round a periodic table since the run began.
+    fn round(&self, ball: usize) -> Vec2<S> {
+        let (before, now) = (self.rest[ball].track.image, self.balls[ball].rounds);
+        self.system.shift([0, 1].map(|axis| before[axis].wrapping_add(i32::from(now[axis]))))
     }
 
     /// Sums the energy and notes how far it is from what the laws account for.

@@ -30,9 +30,18 @@ pub(super) struct Ball<S> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rest<S> {
     pub(super) acceleration: Vec2<S>,
+    /// Along which axes it has left a cell of the grid the way it is pulled on this flight.
+    pub(super) is_falling: [bool; 2],
     /// All of it but the changes of course, which are in the line, and the last contact where nobody asks for it and it is
     /// where the flight began.
     pub(super) track: Track<S>,
+}
+
+impl<S: Scalar> Rest<S> {
+    /// Of a ball on a flight that has just begun, as far as a grid is concerned.
+    pub(super) fn new(flight: &Flight<S>, track: Track<S>) -> Self {
+        Self { acceleration: flight.acceleration, is_falling: [false; 2], track }
+    }
 }
 
 impl<S: Scalar> Ball<S> {

@@ -74,10 +74,10 @@ impl<S: Scalar> Engine<S> for Discs<S> {
     fn reset(&mut self, observer: &mut impl Observer<S>) {
         for (ball, flight) in self.system.flights.iter().enumerate() {
             self.balls[ball] = Ball::new(ball, self.balls[ball].radius, flight, 0);
-            self.rest[ball] = Rest { acceleration: flight.acceleration, track: Track::new() };
+            self.rest[ball] = Rest::new(flight, Track::new());
         }
         if let Some(many) = &mut self.many {
-            many.put(&mut self.balls, S::ZERO);
+            many.put(&mut self.balls, &mut self.rest, S::ZERO);
         }
         self.begin(observer);
     }
@@ -207,10 +207,9 @@ impl<S: Scalar> Discs<S> {
         time: S,
     ) -> Self {
         let is_plain = system.field == Vec2::ZERO && !system.has_backs;
-        let is_grid_worth_it = is_plain && balls.len() >= system.grid_from;
-        let many = is_grid_worth_it || system.is_periodic();
+        let has_grid = balls.len() >= system.grid_from || system.is_periodic();
         let mut discs = Self {
-            many: if many { Many::new(&system) } else { None },
+            many: if has_grid { Many::new(&system) } else { None },
             balls: room_for(balls.len()),
             rest: room_for(balls.len()),
             queue: Queue::new(0),
@@ -237,10 +236,10 @@ impl<S: Scalar> Discs<S> {
         self.rest.clear();
         for (number, ((flight, track), disc)) in balls.zip(&self.system.discs).enumerate() {
             self.balls.push(Ball::new(number, disc.radius, &flight, track.changes));
-            self.rest.push(Rest { acceleration: flight.acceleration, track });
+            self.rest.push(Rest::new(&flight, track));
         }
         if let Some(many) = &mut self.many {
-            many.put(&mut self.balls, time);
+            many.put(&mut self.balls, &mut self.rest, time);
         }
     }
 
@@ -323,7 +322,7 @@ impl<S: Scalar> Discs<S> {
         }
         if !self.is_plain {
             let rest = &mut self.rest[ball];
-            rest.acceleration = flight.acceleration;
+            (rest.acceleration, rest.is_falling) = (flight.acceleration, [false; 2]);
             rest.track.held_by = [None; 2];
         }
     }
@@ -341,7 +340,8 @@ impl<S: Scalar> Discs<S> {
     pub(super) fn lay_flight(&mut self, ball: usize, flight: &Flight<S>) {
         let line = &mut self.balls[ball];
         (line.start, line.position, line.velocity) = (flight.start, flight.position, flight.velocity);
-        self.rest[ball].acceleration = flight.acceleration;
+        let rest = &mut self.rest[ball];
+        (rest.acceleration, rest.is_falling) = (flight.acceleration, [false; 2]);
     }
 
     /// Notes that a ball had a contact, where that is not just where its flight began, or the laws ask for it.

@@ -5,9 +5,10 @@
 //! any grid as without one. On a periodic axis the last cells lie beside the first ones, and who goes through there has
 //! gone round the table once more.
 
-use super::ball::Ball;
+use super::ball::{Ball, Rest};
 use super::four::{Four, MOST_BALLS};
 use super::simd::Candidates;
+use super::throw::Throw;
 use crate::geometry::{Bounds, Vec2};
 use crate::memory::{fetch, room_for};
 use crate::scalar::Scalar;
@@ -195,6 +196,13 @@ impl Grid {
         }
     }
 
+    /// Notes that a ball leaves its cell through the side to which it is pulled: on this flight it never goes back there.
+    pub fn note_fall<S: Scalar>(rest: &mut Rest<S>, side: Side) {
+        let (axis, is_up) = side.axis();
+        let pull = if axis == 0 { rest.acceleration.x } else { rest.acceleration.y };
+        rest.is_falling[axis] |= if is_up { pull > S::ZERO } else { pull < S::ZERO };
+    }
+
     /// Moves a ball to the next cell.
     #[inline(always)]
     pub fn cross<S>(&mut self, ball: &mut Ball<S>, side: Side) {
@@ -227,6 +235,32 @@ impl Grid {
         let round = self.extent[axis] * f64::from(ball.rounds[axis]);
         let time = (edge + round - (place - self.lower[axis])) / velocity;
         if velocity == 0.0 { f64::INFINITY } else { time }
+    }
+
+    /// The same of a ball that may be pulled.
+    pub fn way_out_in_field<S: Scalar>(&self, ball: &Ball<S>, rest: &Rest<S>) -> (f64, Side) {
+        let (across, is_right) = self.leaves_in_field(ball, rest, 0);
+        let (along, is_above) = self.leaves_in_field(ball, rest, 1);
+        if across < along {
+            (across, if is_right { Side::Right } else { Side::Left })
+        } else {
+            (along, if is_above { Side::Above } else { Side::Below })
+        }
+    }
+
+    /// When a coordinate that may be pulled leaves its cell, and whether upwards.
+    fn leaves_in_field<S: Scalar>(&self, ball: &Ball<S>, rest: &Rest<S>, axis: usize) -> (f64, bool) {
+        let [position, velocity, pull] = [ball.position, ball.velocity, rest.acceleration]
+            .map(|v| if axis == 0 { v.x.to_f64() } else { v.y.to_f64() });
+        if pull == 0.0 {
+            return (self.leaves(ball, axis), velocity > 0.0);
+        }
+        let round = self.extent[axis] * f64::from(ball.rounds[axis]);
+        let place = position - self.lower[axis];
+        let cell = usize::from(ball.cell[axis]);
+        let [to_lower, to_upper] = [cell, cell + 1].map(|edge| self.edges[axis][edge] + round - place);
+        let throw = Throw { velocity, pull, is_falling: rest.is_falling[axis] };
+        throw.leaves(to_lower, to_upper)
     }
 
     /// The nine cells around a ball's.

@@ -1,13 +1,13 @@
 //! Many balls: who is near whom, what comes first, and what a ball meets among those near.
 
-use super::ball::Ball;
+use super::ball::{Ball, Rest};
 use super::calendar::Calendar;
 use super::discs::Discs;
 use super::grid::{Grid, MOST_ROUNDS, Side, Window};
 use super::queue::{Pending, Target};
 use super::simd::{Candidates, Nearest, Nearness, Question, Touch, first_meeting, first_meetings};
 use crate::detect::squared_tolerance;
-use crate::flight::Flight;
+use crate::flight::{Flight, State};
 use crate::geometry::Vec2;
 use crate::memory::fetch;
 use crate::scalar::Scalar;
@@ -44,12 +44,16 @@ impl<S: Scalar> Many<S> {
     }
 
     /// Puts the balls where their flights have brought them by a time.
-    pub(super) fn put(&mut self, balls: &mut [Ball<S>], time: S) {
+    pub(super) fn put(&mut self, balls: &mut [Ball<S>], rest: &mut [Rest<S>], time: S) {
         self.grid.clear();
         self.calendar.clear();
-        for ball in balls {
-            let there = ball.position + ball.velocity * (time - ball.start);
-            self.grid.place(ball, there);
+        for (ball, rest) in balls.iter_mut().zip(rest) {
+            let flight = Flight { acceleration: rest.acceleration, ..ball.straight_flight() };
+            let State { position, velocity } = flight.state_after(time - ball.start);
+            let falls = |velocity: S, pull: S| velocity * pull > S::ZERO;
+            let Vec2 { x, y } = velocity;
+            rest.is_falling = [falls(x, rest.acceleration.x), falls(y, rest.acceleration.y)];
+            self.grid.place(ball, position);
         }
     }
 }
@@ -82,8 +86,15 @@ impl<S: Scalar> Discs<S> {
         let line = &mut self.balls[ball];
         grid.cross(line, side);
         let [across, along] = line.rounds.map(i16::unsigned_abs);
+        if !self.is_plain {
+            Grid::note_fall(&mut self.rest[ball], side);
+        }
         if across.max(along) >= MOST_ROUNDS.unsigned_abs() {
             self.begin_round(ball, time);
+            return;
+        }
+        if !self.is_plain {
+            self.predict_near(ball, Target::Nothing);
             return;
         }
         let (window, own) = (grid.ahead(line.cell, side), self.balls[ball]);
@@ -98,16 +109,12 @@ impl<S: Scalar> Discs<S> {
     /// A flight that has gone round the table so often that this is no longer counted begins anew.
     #[cold]
     fn begin_round(&mut self, ball: usize, time: S) {
-        let home = self.home(ball, time - self.balls[ball].start);
-        let flight = Flight { start: time, position: home, ..self.flight(ball) };
-        self.begin_flight(ball, flight);
+        let (flight, held_by) = (self.flight(ball), self.rest[ball].track.held_by);
+        let State { position, velocity } = self.state_after(&flight, time - flight.start);
+        let position = self.system.wrapped(position, self.balls[ball].rounds);
+        self.begin_flight(ball, Flight { start: time, position, velocity, ..flight });
+        self.rest[ball].track.held_by = held_by;
         self.predict(ball);
-    }
-
-    /// Where in the first image of a periodic table a ball is, some time after the start of its flight.
-    #[inline(always)]
-    pub(super) fn home(&self, ball: usize, elapsed: S) -> Vec2<S> {
-        self.system.wrapped(self.flight(ball).position_after(elapsed), self.balls[ball].rounds)
     }
 
     /// Schedules a ball's next event, or that it leaves its cell before.
@@ -116,7 +123,8 @@ impl<S: Scalar> Discs<S> {
         let Some(Many { grid, calendar, .. }) = &mut self.many else { return };
         self.diagnostics.predictions += 1;
         let line = &self.balls[ball];
-        let (offset, side) = grid.way_out(line);
+        let (offset, side) =
+            if self.is_plain { grid.way_out(line) } else { grid.way_out_in_field(line, &self.rest[ball]) };
         calendar.set(ball, next, line.start.to_f64() + offset, side);
     }
 

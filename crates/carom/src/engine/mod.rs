@@ -17,6 +17,7 @@ mod simd;
 mod simulation;
 mod spheres;
 mod strike;
+mod throw;
 
 pub use discs::Discs;
 pub use interface::{Engine, Fault};

@@ -67,7 +67,7 @@ impl<S: Scalar> Discs<S> {
     }
 
     #[inline(always)]
-    fn state_after(&self, flight: &Flight<S>, elapsed: S) -> State<S> {
+    pub(super) fn state_after(&self, flight: &Flight<S>, elapsed: S) -> State<S> {
         if self.is_plain { flight.straight_state_after(elapsed) } else { flight.state_after(elapsed) }
     }
 

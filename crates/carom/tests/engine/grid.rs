@@ -30,6 +30,7 @@ fn scenes() -> Vec<(String, Scenario)> {
             "ball_cushion": { "law": "restitution", "normal": 0.95, "tangential": 0.9 } }),
         json!({ "ball_ball": { "law": "restitution", "normal": 0.7 }, "collapse": "tc" }),
     ];
+    let fields = [[0.0, -1.0], [0.3, -0.2], [-5.0, 0.0], [0.0, 20.0]];
     let mut scenes = Vec::new();
     for (name, table) in &tables {
         for (seed, (count, radii)) in
@@ -43,6 +44,9 @@ fn scenes() -> Vec<(String, Scenario)> {
             }
             let law = &physics[(seed % 3) as usize];
             scenes.push((format!("{name}, seed {seed}, {law}"), ended(table, law, &balls)));
+            let mut pulled = law.clone();
+            pulled["flight"] = json!({ "law": "field", "acceleration": fields[seed as usize] });
+            scenes.push((format!("{name}, seed {seed}, {pulled}"), ended(table, &pulled, &balls)));
         }
     }
     let mut balls = rack(0.0625, [2.0, 2.0], 8);

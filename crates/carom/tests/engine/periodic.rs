@@ -11,8 +11,19 @@ use carom::scenario::{Scenario, System};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// A gas, its velocities scaled up so that the test does not take long.
-fn system(recipe: &Recipe) -> Arc<System<f64>> {
+/// A gas, perhaps in a field.
+struct Scene {
+    recipe: Recipe,
+    field: Vec2<f64>,
+}
+
+impl From<Recipe> for Scene {
+    fn from(recipe: Recipe) -> Self {
+        Self { recipe, field: Vec2::ZERO }
+    }
+}
+
+fn system(Scene { recipe, field }: &Scene) -> Arc<System<f64>> {
     let start = make(recipe).unwrap();
     let [width, length] = start.size;
     let axes: Vec<&str> =
@@ -22,8 +33,9 @@ fn system(recipe: &Recipe) -> Arc<System<f64>> {
          [[balls]]\nid = '0'\nradius = 0.5\nposition = [1, 1]"
     );
     let system = System::new(&Scenario::from_toml(&text).unwrap());
-    let flight = |(&position, &velocity)| Flight { start: 0.0, position, velocity, acceleration: Vec2::ZERO };
+    let flight = |(&position, &velocity)| Flight { start: 0.0, position, velocity, acceleration: *field };
     Arc::new(System {
+        field: *field,
         discs: start
             .radii
             .iter()
@@ -37,18 +49,23 @@ fn system(recipe: &Recipe) -> Arc<System<f64>> {
     })
 }
 
-fn recipes() -> Vec<Recipe> {
+fn scenes() -> Vec<Scene> {
     let species = |diameter, mass| Species { amount: Amount::Fraction(0.5), diameter, mass };
     let mixed = Sizes::Species(vec![species(0.5, 0.3), species(1.0, 2.0)]);
     let random = |count, packing| Recipe { start: Arrangement::Random, ..Recipe::new(count, packing) };
+    let channel = Recipe { periodic: [true, false], ..random(25, 0.3) };
+    let pull = |x, y, recipe| Scene { recipe, field: Vec2::new(x, y) };
     vec![
-        random(5, 0.05),
-        random(9, 0.3),
-        random(30, 0.4),
-        Recipe { sizes: mixed.clone(), ..random(40, 0.4) },
-        Recipe { periodic: [true, false], ..random(25, 0.3) },
-        Recipe { periodic: [false, true], aspect: Some(2.0), sizes: mixed, ..random(25, 0.2) },
-        Recipe { aspect: Some(0.25), ..random(40, 0.2) },
+        random(5, 0.05).into(),
+        random(9, 0.3).into(),
+        random(30, 0.4).into(),
+        Recipe { sizes: mixed.clone(), ..random(40, 0.4) }.into(),
+        channel.clone().into(),
+        Recipe { periodic: [false, true], aspect: Some(2.0), sizes: mixed.clone(), ..random(25, 0.2) }.into(),
+        Recipe { aspect: Some(0.25), ..random(40, 0.2) }.into(),
+        pull(0.0, -0.3, channel.clone()),
+        pull(0.2, -0.1, Recipe { sizes: mixed, ..channel }),
+        pull(-0.3, 0.2, random(30, 0.4)),
     ]
 }
 
@@ -63,10 +80,22 @@ fn meeting(away: Vec2<f64>, velocity: Vec2<f64>, radii: f64) -> f64 {
     if slope < 0.0 && root > 0.0 { ((-slope - root.sqrt()) / speed).max(0.0) } else { f64::INFINITY }
 }
 
+/// When something at a distance from a wall comes there, moving and pulled towards it or away.
+fn arrival(gap: f64, speed: f64, pull: f64) -> f64 {
+    let (gap, square) = (gap.max(0.0), speed * speed + 2.0 * pull * gap.max(0.0));
+    if pull > 0.0 {
+        (square.sqrt() - speed) / pull
+    } else if speed > 0.0 && square >= 0.0 {
+        2.0 * gap / (speed + square.sqrt())
+    } else {
+        f64::INFINITY
+    }
+}
+
 /// All discs in one list, moved together from event to event; every disc sees every other in each of the images around.
 fn tiled_plane(system: &System<f64>, events: usize) -> Vec<(f64, u32, Option<u32>)> {
     let size = [system.bounds.max.x, system.bounds.max.y];
-    let (mut now, mut log) = (0.0, Vec::new());
+    let (mut now, mut log, pull) = (0.0, Vec::new(), system.field);
     let mut discs: Vec<(Vec2<f64>, Vec2<f64>)> =
         system.flights.iter().map(|flight| (flight.position, flight.velocity)).collect();
     let images = |is_periodic: bool| if is_periodic { -1..=1 } else { 0..=0 };
@@ -75,11 +104,11 @@ fn tiled_plane(system: &System<f64>, events: usize) -> Vec<(f64, u32, Option<u32
         let mut first = (0.2 * size[0].min(size[1]), None, Vec2::ZERO);
         for (a, (place_a, velocity_a)) in discs.iter().enumerate() {
             let radius = system.discs[a].radius;
-            for (axis, [place, velocity]) in
-                [[place_a.x, velocity_a.x], [place_a.y, velocity_a.y]].into_iter().enumerate()
+            for (axis, [place, velocity, pull]) in
+                [[place_a.x, velocity_a.x, pull.x], [place_a.y, velocity_a.y, pull.y]].into_iter().enumerate()
             {
-                let gap = if velocity > 0.0 { size[axis] - radius - place } else { place - radius };
-                let time = gap.max(0.0) / velocity.abs();
+                let above = arrival(size[axis] - radius - place, velocity, pull);
+                let time = above.min(arrival(place - radius, -velocity, -pull));
                 if !system.periodic[axis] && time < first.0 {
                     let normal = if axis == 0 { Vec2::new(1.0, 0.0) } else { Vec2::new(0.0, 1.0) };
                     first = (time, Some((a, None)), normal);
@@ -101,7 +130,8 @@ fn tiled_plane(system: &System<f64>, events: usize) -> Vec<(f64, u32, Option<u32
         let (time, who, normal) = first;
         now += time;
         for (position, velocity) in &mut discs {
-            *position = *position + *velocity * time;
+            *position = *position + *velocity * time + pull * (0.5 * time * time);
+            *velocity = *velocity + pull * time;
             for (axis, along) in [&mut position.x, &mut position.y].into_iter().enumerate() {
                 if system.periodic[axis] {
                     *along = along.rem_euclid(size[axis]);
@@ -126,10 +156,10 @@ fn tiled_plane(system: &System<f64>, events: usize) -> Vec<(f64, u32, Option<u32
 
 #[test]
 fn a_periodic_gas_is_a_plane_tiled_with_its_table() {
-    for (k, recipe) in recipes().iter().enumerate() {
-        let system = system(recipe);
+    for (k, scene) in scenes().iter().enumerate() {
+        let system = system(scene);
         // A collision multiplies what rounding has done by the free path in radii; so few of the dilute gases can be followed.
-        let count = if recipe.packing_fraction < 0.25 { 10 } else { 25 };
+        let count = if scene.recipe.packing_fraction < 0.25 { 10 } else { 25 };
         let expected = tiled_plane(&system, count);
         let mut simulation: Simulation<f64> = Simulation::new(system, unlimited(), &mut Nothing);
         let mut events: VecDeque<Event<f64>> = VecDeque::new();
@@ -143,8 +173,8 @@ fn a_periodic_gas_is_a_plane_tiled_with_its_table() {
 
 #[test]
 fn energy_and_momentum_are_kept_and_no_image_is_entered() {
-    for (k, recipe) in recipes().iter().enumerate() {
-        let system = system(recipe);
+    for (k, scene) in scenes().iter().enumerate() {
+        let system = system(scene);
         let momentum = |run: &Run<f64>| run.momentum(run.end_time).unwrap();
         let mut simulation: Simulation<f64> = Simulation::new(system.clone(), unlimited(), &mut Nothing);
         let before = momentum(&simulation.clone().finish(Log::new(false, false)));
@@ -152,8 +182,11 @@ fn energy_and_momentum_are_kept_and_no_image_is_entered() {
         let run = simulation.finish(Log::new(false, false));
         let change = momentum(&run) - before;
         let scale = (2.0 * run.diagnostics.initial_energy * run.balls.len() as f64).sqrt();
-        for (along, is_periodic) in [change.x, change.y].into_iter().zip(recipe.periodic) {
-            assert!(!is_periodic || along.abs() < 1e-12 * scale, "recipe {k}: {change:?}");
+        for (along, is_periodic) in [change.x, change.y].into_iter().zip(scene.recipe.periodic) {
+            assert!(
+                !is_periodic || scene.field != Vec2::ZERO || along.abs() < 1e-12 * scale,
+                "recipe {k}: {change:?}"
+            );
         }
         let found = &run.diagnostics;
         assert!(found.energy_drift < 1e-11 * found.initial_energy, "recipe {k}: {found:?}");
@@ -166,8 +199,8 @@ fn energy_and_momentum_are_kept_and_no_image_is_entered() {
                 let nearest = |along: f64, size: f64, is: bool| {
                     if is { along - size * (along / size).round() } else { along }
                 };
-                let x = nearest(away.x, size.x, recipe.periodic[0]);
-                let y = nearest(away.y, size.y, recipe.periodic[1]);
+                let x = nearest(away.x, size.x, scene.recipe.periodic[0]);
+                let y = nearest(away.y, size.y, scene.recipe.periodic[1]);
                 let gap = x.hypot(y) - system.discs[a].radius - system.discs[b].radius;
                 assert!(gap > -1e-9, "recipe {k}: {a} and {b} by {gap}");
             }
@@ -177,8 +210,8 @@ fn energy_and_momentum_are_kept_and_no_image_is_entered() {
 
 #[test]
 fn a_run_in_pieces_has_the_bits_of_the_whole() {
-    for recipe in &recipes() {
-        let system = system(recipe);
+    for scene in &scenes() {
+        let system = system(scene);
         let whole = {
             let mut log = Log::new(true, true);
             let limits = Limits::duration(30.0);
@@ -207,8 +240,8 @@ fn a_run_in_pieces_has_the_bits_of_the_whole() {
 
 #[test]
 fn candidates_are_what_happens_next() {
-    for recipe in &recipes() {
-        let mut simulation: Simulation<f64> = Simulation::new(system(recipe), unlimited(), &mut Nothing);
+    for scene in &scenes() {
+        let mut simulation: Simulation<f64> = Simulation::new(system(scene), unlimited(), &mut Nothing);
         for _ in 0..50 {
             let first = simulation
                 .candidates()
@@ -225,7 +258,7 @@ fn candidates_are_what_happens_next() {
 
 #[test]
 fn a_lone_disc_goes_straight_on_for_ever() {
-    let mut system = (*system(&Recipe::new(1, 0.05))).clone();
+    let mut system = (*system(&Recipe::new(1, 0.05).into())).clone();
     system.flights[0].velocity = Vec2::new(3.0, -0.7);
     let (start, system) = (system.flights[0].position, Arc::new(system));
     let time = 5e5;
@@ -240,8 +273,49 @@ fn a_lone_disc_goes_straight_on_for_ever() {
 }
 
 #[test]
+fn a_lone_disc_falls_round_the_table_for_ever() {
+    let mut system = (*system(&Recipe::new(1, 0.05).into())).clone();
+    let (velocity, field) = (Vec2::new(3.0, -0.7), Vec2::new(-1e-3, 1e-2));
+    (system.flights[0].velocity, system.flights[0].acceleration, system.field) = (velocity, field, field);
+    let (start, system) = (system.flights[0].position, Arc::new(system));
+    let time = 2e4;
+    let mut simulation: Simulation<f64> = Simulation::new(system, Limits::duration(time), &mut Nothing);
+    simulation.run(&mut Nothing).unwrap();
+    let run = simulation.finish(Log::new(false, false));
+    assert!(run.balls[0].1.image[1] > 100_000 && run.balls[0].1.changes > 10, "{:?}", run.balls);
+    let end = run.final_state()[0];
+    let expected = start + velocity * time + field * (0.5 * time * time);
+    assert!((end.position - expected).norm() < 1e-12 * expected.norm(), "{end:?} is not {expected:?}");
+    assert!((end.velocity - velocity - field * time).norm() < 1e-12 * 200.0, "{end:?}");
+    assert!(
+        run.diagnostics.energy_drift < 1e-12 * 0.5 * end.velocity.norm_squared(),
+        "{:?}",
+        run.diagnostics
+    );
+}
+
+#[test]
+fn a_disc_that_lies_on_the_wall_of_a_channel_slides_on_for_ever() {
+    let scene = Scene {
+        field: Vec2::new(0.0, -1.0),
+        ..Recipe { periodic: [true, false], ..Recipe::new(1, 0.05) }.into()
+    };
+    let mut system = (*system(&scene)).clone();
+    let radius = system.discs[0].radius;
+    (system.flights[0].position.y, system.flights[0].velocity) = (radius, Vec2::new(3.0, 0.0));
+    let (start, system) = (system.flights[0].position, Arc::new(system));
+    let mut simulation: Simulation<f64> = Simulation::new(system, Limits::duration(1e5), &mut Nothing);
+    simulation.run(&mut Nothing).unwrap();
+    let run = simulation.finish(Log::new(false, false));
+    assert!(run.balls[0].1.changes > 5 && run.balls[0].1.is_held(), "{:?}", run.balls);
+    let end = run.final_state()[0].position;
+    assert_eq!(end.y, radius);
+    assert!((end.x - start.x - 3e5).abs() < 1e-9, "{end:?}");
+}
+
+#[test]
 fn walls_of_a_channel_are_met_wherever_a_disc_has_gone() {
-    let system = system(&Recipe { periodic: [true, false], ..Recipe::new(4, 0.02) });
+    let system = system(&Recipe { periodic: [true, false], ..Recipe::new(4, 0.02) }.into());
     let mut simulation: Simulation<f64> = Simulation::new(system.clone(), unlimited(), &mut Nothing);
     let mut events: VecDeque<Event<f64>> = VecDeque::new();
     simulation.advance(3000, &mut events).unwrap();

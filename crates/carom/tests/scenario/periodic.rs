@@ -72,10 +72,6 @@ fn periodic_sides_refuse_what_the_engine_does_not_have_for_them() {
         refused(BOTH, &law("law = 'cloth'")),
         ["table.periodic: a table with periodic sides goes with no cloth (physics.flight.law)"]
     );
-    assert_eq!(
-        refused(BOTH, &law("law = 'field', acceleration = [0, -1]")),
-        ["table.periodic: a table with periodic sides goes with no field (physics.flight.law)"]
-    );
     let obstacle = "obstacles = [{ wall = [[0.2, 0.5], [0.2, 0.8]] }]";
     assert_eq!(
         refused(&format!("{BOTH}\n{obstacle}"), ""),

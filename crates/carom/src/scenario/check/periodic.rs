@@ -2,7 +2,7 @@
 
 use super::{Draft, Findings, Rounded};
 use crate::gas::PERIODIC_DIAMETERS;
-use crate::scenario::schema::{Axis, Ball, Flight, Method, Table};
+use crate::scenario::schema::{Axis, Ball, Method, Table};
 
 /// Notes what is wrong with a periodic table.
 pub(super) fn check_periodic(draft: &Draft<'_>, findings: &mut Findings) {
@@ -32,7 +32,6 @@ fn count(axes: &[Axis], wanted: Axis) -> usize {
 fn not_beside(draft: &Draft<'_>) -> Vec<&'static str> {
     let beside = [
         (draft.physics.has_cloth(), "cloth (physics.flight.law)"),
-        (matches!(draft.physics.flight(), Flight::Field { .. }), "field (physics.flight.law)"),
         (draft.table.is_some_and(|table| !table.obstacles().is_empty()), "obstacles (table.obstacles)"),
     ];
     beside.into_iter().filter(|(is_given, _)| *is_given).map(|(_, what)| what).collect()
