@@ -26,6 +26,12 @@ const FEWEST_ROUND: f64 = 3.0;
 /// As many cells as one number of a ball's line can tell.
 const MOST_CELLS: f64 = 65_535.0;
 
+/// One ball of so many beyond the first four of a cell is a crowd: finer cells are worth it.
+const CROWD: usize = 16;
+
+/// Cells are not made so fine that there are more of them than this for a ball.
+const MOST_CELLS_PER_BALL: usize = 32;
+
 /// A cell is larger than two balls by this part of them, which no rounding of a place comes near.
 const SLACK: f64 = 1e-6;
 
@@ -54,6 +60,8 @@ pub struct Grid {
     extent: [f64; 2],
     /// Of a cell.
     size: [f64; 2],
+    /// What it is at least.
+    least: f64,
     /// Where cells end, from the lower end of each axis on; infinitely far where the table does and nobody goes round.
     edges: [Vec<f64>; 2],
     /// Columns and rows.
@@ -63,6 +71,10 @@ pub struct Grid {
     width: usize,
     /// The balls of each cell, row by row; those of a cell are in the first of its fours.
     balls: Vec<Four>,
+    /// Balls beyond the first four of a cell.
+    surplus: usize,
+    /// So many of them make finer cells worth it.
+    crowd: usize,
 }
 
 /// Cells that lie together, from the first column and row to the last; those beyond a side of the table are on its other
@@ -108,19 +120,50 @@ impl Grid {
         if wanted <= 0.0 || balls > MOST_BALLS || (columns * rows < FEWEST_CELLS && !goes_round) {
             return None;
         }
-        let (size, extent) = ([width / columns, height / rows], [width, height]);
-        let count = [columns as usize, rows as usize];
-        let cells = count[0] * count[1];
-        let mut balls = room_for(cells);
-        balls.resize(cells, Four::NOBODY);
-        let edges = [0, 1].map(|axis| edges(size[axis], extent[axis], count[axis], periodic[axis]));
-        let lower = [bounds.min.x.to_f64(), bounds.min.y.to_f64()];
-        Some(Self { lower, extent, size, edges, count, periodic, width: 1, balls })
+        let bare = Self {
+            lower: [bounds.min.x.to_f64(), bounds.min.y.to_f64()],
+            extent: [width, height],
+            size: [0.0; 2],
+            least,
+            edges: [Vec::new(), Vec::new()],
+            count: [0; 2],
+            periodic,
+            width: 1,
+            balls: Vec::new(),
+            surplus: 0,
+            crowd: 0,
+        };
+        Some(bare.divided([columns as usize, rows as usize], balls))
+    }
+
+    /// The same table in so many cells, without balls.
+    fn divided(&self, count: [usize; 2], balls: usize) -> Self {
+        let size = [0, 1].map(|axis| self.extent[axis] / count[axis] as f64);
+        let along = |axis: usize| edges(size[axis], self.extent[axis], count[axis], self.periodic[axis]);
+        let edges = [along(0), along(1)];
+        let mut cells = room_for(count[0] * count[1]);
+        cells.resize(count[0] * count[1], Four::NOBODY);
+        let grid = Self { size, edges, count, width: 1, balls: cells, surplus: 0, crowd: 0, ..*self };
+        let [columns, rows] = grid.finer_count();
+        let is_possible = [columns, rows] != count && columns * rows <= MOST_CELLS_PER_BALL * balls;
+        Self { crowd: if is_possible { balls / CROWD + 1 } else { usize::MAX }, ..grid }
+    }
+
+    fn finer_count(&self) -> [usize; 2] {
+        let along = |axis: usize| (2 * self.count[axis]).min((self.extent[axis] / self.least) as usize);
+        [0, 1].map(|axis| along(axis).clamp(self.count[axis], MOST_CELLS as usize))
+    }
+
+    /// The same table in finer cells, without balls, where so many crowd in few cells that it is worth it.
+    #[inline(always)]
+    pub fn finer(&self, balls: usize) -> Option<Self> {
+        if self.surplus < self.crowd { None } else { Some(self.divided(self.finer_count(), balls)) }
     }
 
     /// Takes all balls out.
     pub fn clear(&mut self) {
         self.balls.fill(Four::NOBODY);
+        self.surplus = 0;
     }
 
     /// Where a cell is in memory.
@@ -169,9 +212,13 @@ impl Grid {
     }
 
     fn enter<S>(&mut self, ball: &Ball<S>) {
-        if !self.fours_of(ball.cell).iter_mut().any(|four| four.push(ball.number)) {
-            self.grow();
-            self.enter(ball);
+        match self.fours_of(ball.cell).iter_mut().position(|four| four.push(ball.number)) {
+            Some(0) => (),
+            Some(_) => self.surplus += 1,
+            None => {
+                self.grow();
+                self.enter(ball);
+            }
         }
     }
 
@@ -189,11 +236,12 @@ impl Grid {
     /// The last ball of a cell takes the place of the one that leaves.
     fn leave<S>(&mut self, ball: &Ball<S>) {
         let fours = self.fours_of(ball.cell);
-        if let Some(last) = fours.iter_mut().rev().find_map(Four::pop)
-            && last != ball.number
-        {
+        let pop = |(place, four): (usize, &mut Four)| Some((place, four.pop()?));
+        let Some((place, last)) = fours.iter_mut().enumerate().rev().find_map(pop) else { return };
+        if last != ball.number {
             fours.iter_mut().any(|four| four.replace(ball.number, last));
         }
+        self.surplus -= usize::from(place > 0);
     }
 
     /// Notes that a ball leaves its cell through the side to which it is pulled: on this flight it never goes back there.
@@ -432,5 +480,26 @@ mod tests {
         let mut found = 0;
         grid.each_four(&grid.around(cell), |four, _| found += four.count());
         assert_eq!(found, 70_000);
+    }
+
+    #[test]
+    fn cells_become_finer_until_balls_do_not_crowd() {
+        let bounds = Bounds { min: Vec2::ZERO, max: Vec2::new(10.0, 20.0) };
+        let mut grid = Grid::new(&bounds, 0.1, 64, [false; 2]).unwrap();
+        let mut found = Vec::new();
+        loop {
+            for number in 0..64 {
+                let position = Vec2::new(0.15 * (number % 8) as f64, 0.15 * (number / 8) as f64);
+                let still = Flight { start: 0.0, position, velocity: Vec2::ZERO, acceleration: Vec2::ZERO };
+                grid.place(&mut Ball::new(number, 0.05, &still, 0), position);
+            }
+            found.push((grid.count, grid.surplus));
+            let Some(finer) = grid.finer(64) else { break };
+            grid = finer;
+        }
+        // All in one cell; then 25 in one, 15 in each of two, 9 in one; then nine, six or four in each. Once more would make
+        // more than 32 cells for a ball.
+        assert_eq!(found, [([7, 14], 60), ([14, 28], 48), ([28, 56], 28)]);
+        assert!(Grid::new(&bounds, 2.0, 64, [false; 2]).unwrap().crowd == usize::MAX);
     }
 }

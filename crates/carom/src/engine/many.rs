@@ -47,6 +47,10 @@ impl<S: Scalar> Many<S> {
     pub(super) fn put(&mut self, balls: &mut [Ball<S>], rest: &mut [Rest<S>], time: S) {
         self.grid.clear();
         self.calendar.clear();
+        self.place_all(balls, rest, time);
+    }
+
+    fn place_all(&mut self, balls: &mut [Ball<S>], rest: &mut [Rest<S>], time: S) {
         for (ball, rest) in balls.iter_mut().zip(rest) {
             let flight = Flight { acceleration: rest.acceleration, ..ball.straight_flight() };
             let State { position, velocity } = flight.state_after(time - ball.start);
@@ -83,6 +87,7 @@ impl<S: Scalar> Discs<S> {
     #[inline(always)]
     fn cross(&mut self, ball: usize, side: Side, meeting: Pending<S>, time: S) {
         let Some(Many { grid, .. }) = &mut self.many else { return };
+        let count = self.balls.len();
         let line = &mut self.balls[ball];
         grid.cross(line, side);
         let [across, along] = line.rounds.map(i16::unsigned_abs);
@@ -93,7 +98,11 @@ impl<S: Scalar> Discs<S> {
             self.begin_round(ball, time);
             return;
         }
-        if !self.is_plain {
+        let finer = grid.finer(count);
+        if !self.is_plain || finer.is_some() {
+            if let Some(finer) = finer {
+                self.move_to(finer, time);
+            }
             self.predict_near(ball, Target::Nothing);
             return;
         }
@@ -103,6 +112,18 @@ impl<S: Scalar> Discs<S> {
             None => {
                 self.predict_near(ball, Target::Nothing);
             }
+        }
+    }
+
+    /// Puts all balls into the cells of another grid. What they meet stays as it is.
+    #[cold]
+    fn move_to(&mut self, grid: Grid, time: S) {
+        let Some(many) = &mut self.many else { return };
+        many.grid = grid;
+        many.place_all(&mut self.balls, &mut self.rest, time);
+        for ball in 0..self.balls.len() {
+            let Some(Many { calendar, .. }) = &self.many else { return };
+            self.schedule_among_many(ball, *calendar.awaited(ball));
         }
     }
 

@@ -49,6 +49,12 @@ fn scenes() -> Vec<(String, Scenario)> {
             scenes.push((format!("{name}, seed {seed}, {pulled}"), ended(table, &pulled, &balls)));
         }
     }
+    // So few on so large a table that they crowd in its cells when they have fallen.
+    let tall = rectangle(1.0, 100.0);
+    let balls = random_balls(&mut Random::new(7), &tall, 100, [0.02, 0.03], [0.1, 1.0]);
+    let falling = json!({ "ball_ball": { "law": "restitution", "normal": 0.5 }, "collapse": "tc",
+        "flight": { "law": "field", "acceleration": [0.0, -10.0] } });
+    scenes.push(("tall".into(), ended(&tall, &falling, &balls)));
     let mut balls = rack(0.0625, [2.0, 2.0], 8);
     balls.push(ball(0.0625, [2.0, 1.0], [0.0, 2.0]));
     scenes.push(("rack".into(), ended(&rectangle(4.0, 4.0), &physics[0], &balls)));
