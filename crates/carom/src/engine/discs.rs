@@ -45,6 +45,8 @@ pub struct Discs<S> {
     pub(super) are_alike: bool,
     /// Neither a field nor thin walls: prediction takes a shorter way.
     pub(super) is_plain: bool,
+    /// And no walls at all.
+    pub(super) is_open: bool,
     /// A ball's last contact is kept beside its flight: that is not just where it began, or the laws ask for it.
     notes_contacts: bool,
     pub(super) fault: Option<Fault>,
@@ -219,6 +221,7 @@ impl<S: Scalar> Discs<S> {
             has_field: system.field != Vec2::ZERO,
             are_alike: system.discs.windows(2).all(|two| two[0] == two[1]),
             is_plain,
+            is_open: is_plain && system.faces.is_open,
             notes_contacts: !is_plain || system.collapse_is_elastic,
             fault: None,
             system,

@@ -212,14 +212,18 @@ impl Grid {
     }
 
     fn enter<S>(&mut self, ball: &Ball<S>) {
-        match self.fours_of(ball.cell).iter_mut().position(|four| four.push(ball.number)) {
-            Some(0) => (),
-            Some(_) => self.surplus += 1,
-            None => {
-                self.grow();
-                self.enter(ball);
-            }
+        if !self.fours_of(ball.cell)[0].push(ball.number) {
+            self.enter_crowd(ball);
         }
+    }
+
+    /// The same where the first four are there.
+    #[cold]
+    fn enter_crowd<S>(&mut self, ball: &Ball<S>) {
+        while !self.fours_of(ball.cell)[1..].iter_mut().any(|four| four.push(ball.number)) {
+            self.grow();
+        }
+        self.surplus += 1;
     }
 
     #[cold]
@@ -235,13 +239,13 @@ impl Grid {
 
     /// The last ball of a cell takes the place of the one that leaves.
     fn leave<S>(&mut self, ball: &Ball<S>) {
-        let fours = self.fours_of(ball.cell);
-        let pop = |(place, four): (usize, &mut Four)| Some((place, four.pop()?));
-        let Some((place, last)) = fours.iter_mut().enumerate().rev().find_map(pop) else { return };
-        if last != ball.number {
-            fours.iter_mut().any(|four| four.replace(ball.number, last));
+        let Some((first, others)) = self.fours_of(ball.cell).split_first_mut() else { return };
+        let surplus = others.iter_mut().rev().find_map(Four::pop);
+        let Some(last) = surplus.or_else(|| first.pop()) else { return };
+        if last != ball.number && !first.replace(ball.number, last) {
+            others.iter_mut().any(|four| four.replace(ball.number, last));
         }
-        self.surplus -= usize::from(place > 0);
+        self.surplus -= usize::from(surplus.is_some());
     }
 
     /// Notes that a ball leaves its cell through the side to which it is pulled: on this flight it never goes back there.
@@ -286,6 +290,7 @@ impl Grid {
     }
 
     /// The same of a ball that may be pulled.
+    #[inline(never)]
     pub fn way_out_in_field<S: Scalar>(&self, ball: &Ball<S>, rest: &Rest<S>) -> (f64, Side) {
         let (across, is_right) = self.leaves_in_field(ball, rest, 0);
         let (along, is_above) = self.leaves_in_field(ball, rest, 1);

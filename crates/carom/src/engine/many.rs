@@ -144,8 +144,11 @@ impl<S: Scalar> Discs<S> {
         let Some(Many { grid, calendar, .. }) = &mut self.many else { return };
         self.diagnostics.predictions += 1;
         let line = &self.balls[ball];
-        let (offset, side) =
-            if self.is_plain { grid.way_out(line) } else { grid.way_out_in_field(line, &self.rest[ball]) };
+        if !self.is_plain {
+            let (offset, side) = grid.way_out_in_field(line, &self.rest[ball]);
+            return calendar.set(ball, next, line.start.to_f64() + offset, side);
+        }
+        let (offset, side) = grid.way_out(line);
         calendar.set(ball, next, line.start.to_f64() + offset, side);
     }
 

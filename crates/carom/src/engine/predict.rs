@@ -92,7 +92,7 @@ impl<S: Scalar> Discs<S> {
 
     #[inline(always)]
     fn next_cushion_of_many(&self, line: &Ball<S>, flight: &Flight<S>, struck: Target) -> Option<Pending<S>> {
-        if self.is_plain && self.system.faces.is_open {
+        if self.is_open {
             return Some(Pending::NEVER);
         }
         self.next_cushion_in_the_clear(line.radius, flight, struck)
