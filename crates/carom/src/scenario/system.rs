@@ -12,7 +12,7 @@ use crate::model::{ContactTolerance, Disc, Face, Faces, Line, Table};
 use crate::scalar::Scalar;
 
 /// Fewer balls than these are asked one by one sooner than looked for in a grid.
-const GRID_FROM: usize = 25;
+const GRID_FROM: usize = 14;
 
 /// Everything the engine needs of a run of discs, with every number in `S` and every name turned into an index.
 ///
