@@ -19,6 +19,7 @@ ORDER = [
     "run",
     "comparison",
     "events",
+    "ensemble",
     "columns",
     "simulation",
     "errors",

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
         compare_trajectory,
     )
     from carom.cue import Cue, Shot
+    from carom.ensemble import Ensemble, Grid, Normal, Uniform
     from carom.errors import (
         CaromError,
         MissingExtraError,
@@ -85,6 +86,7 @@ _HOMES = {
         "compare_trajectory",
     ],
     "cue": ["Cue", "Shot"],
+    "ensemble": ["Ensemble", "Grid", "Normal", "Uniform"],
     "errors": [
         "CaromError",
         "MissingExtraError",
@@ -144,6 +146,7 @@ __all__ = [
     "Damping",
     "Difference",
     "Elastic",
+    "Ensemble",
     "Event",
     "EventStream",
     "EventTable",
@@ -152,12 +155,14 @@ __all__ = [
     "Field",
     "Free",
     "Frictional",
+    "Grid",
     "Han2005",
     "Line",
     "Mathavan2010",
     "Mathavan2014",
     "MissingExtraError",
     "Mouth",
+    "Normal",
     "Observable",
     "Observables",
     "Parting",
@@ -185,6 +190,7 @@ __all__ = [
     "Table",
     "TrajectoryComparison",
     "TrajectoryError",
+    "Uniform",
     "Verification",
     "Wall",
     "__version__",

@@ -13,7 +13,9 @@ __all__ = [
     "EVENT_KINDS",
     "MOTIONS",
     "OBSERVABLES",
+    "OUTCOMES",
     "PHYSICS_VERSION",
+    "Ensemble",
     "ObservedRun",
     "Run",
     "Scenario",
@@ -37,6 +39,7 @@ PHYSICS_VERSION: int
 EVENT_KINDS: list[str]
 MOTIONS: list[str]
 OBSERVABLES: list[str]
+OUTCOMES: list[str]
 
 class _EventColumns(TypedDict):
     index: NDArray[np.int64]
@@ -144,6 +147,30 @@ class Simulation:
     def spins(self) -> tuple[NDArray[np.float64], NDArray[np.int8]]: ...
     def stop(self) -> None: ...
     def finish(self) -> Run: ...
+
+@final
+class Ensemble:
+    def __new__(
+        cls,
+        scenario: Scenario,
+        varied: list[tuple[str, str, NDArray[np.float64]]],
+        runs: int | None,
+        design: str,
+        seed: int,
+        outcomes: list[str],
+    ) -> Ensemble: ...
+    @property
+    def runs(self) -> int: ...
+    def columns(self) -> list[tuple[str, str]]: ...
+    def inputs(self, first: int, end: int) -> NDArray[np.float64]: ...
+    def scenario(self, row: int) -> Scenario: ...
+    def run(
+        self,
+        first: int,
+        end: int,
+        threads: int | None,
+        watch: Callable[[int], object] | None,
+    ) -> tuple[NDArray[np.float64], NDArray[np.uint8], list[str], list[tuple[int, str]], bool]: ...
 
 @final
 class Run:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from carom.cue import Cue, Shot
+    from carom.ensemble import Design, Ensemble, Grid, Invalid, Varied
+    from carom.ensemble import Progress as EnsembleProgress
     from carom.events import Event
     from carom.method import Method
     from carom.observables import Progress, Request
@@ -444,6 +446,78 @@ class Scenario:
         if callable(until):
             return self._start(options).run_until_true(until)
         return Run(self._native.run(options_json({**options, "until": until})))
+
+    def ensemble(
+        self,
+        varied: Varied | Grid,
+        outcomes: Sequence[str] = ("final_position",),
+        *,
+        functions: Mapping[str, Callable[[Run], Any]] | None = None,
+        runs: int | None = None,
+        design: Design = "independent",
+        seed: int = 0,
+        threads: int | None = None,
+        invalid: Invalid = "error",
+        progress: EnsembleProgress | None = None,
+    ) -> Ensemble:
+        """Run many variations of this scenario, on all cores; each has the bits of a run by itself.
+
+        Parameters
+        ----------
+        varied : mapping of str to (n_runs,) array_like, Uniform or Normal; or Grid
+            The numbers at paths such as ``balls.red.speed``, ``shot.a`` or ``physics.ball_cushion.normal``. What a
+            run draws depends on its row, the seed and the path, and on nothing else.
+        outcomes : sequence of str, optional
+            What to keep of each run: ``end_time``; ``events``, the count of each kind; ``first_event`` and
+            ``last_event``, their times; ``final_position`` and ``final_velocity`` of each ball; on a cloth
+            ``final_spin``, and ``pockets``, which each ball is in. The status is kept in any case.
+        functions : mapping of str to callable, optional
+            More columns: what these functions give for each `Run`. They take much longer, one run after the other.
+        runs : int, optional
+            The number of runs; needed where everything is drawn.
+        design : "independent", "latin_hypercube" or "sobol", optional
+            How the rows of what is drawn lie.
+        seed : int, optional
+            The seed of what is drawn.
+        threads : int, optional
+            On how many threads; absent: as many as there are cores. It changes no bit.
+        invalid : "error" or "keep", optional
+            What to do about rows whose numbers make no scenario.
+        progress : callable, optional
+            Called now and then with the number of runs done and of all; what is true ends the ensemble.
+
+        Returns
+        -------
+        Ensemble
+            A row for each run. After Ctrl-C, or where `progress` ends it, the rows that are left say ``not_run``.
+
+        Raises
+        ------
+        ScenarioError
+            When a path leads nowhere, lists differ in length, a distribution makes no sense, or rows make no scenario.
+
+        Examples
+        --------
+        >>> import carom
+        >>> grid = carom.Grid({"balls.red.speed": [4, 5], "balls.red.direction_deg": [40, 50, 60]})
+        >>> hits = carom.load("midterm").ensemble(grid, ["events"])
+        >>> hits["events.ball_ball"].reshape(grid.shape).tolist()
+        [[1, 1, 2], [2, 2, 2]]
+        """
+        from carom.ensemble import ensemble
+
+        return ensemble(
+            self,
+            varied,
+            outcomes,
+            functions or {},
+            runs=runs,
+            design=design,
+            seed=seed,
+            threads=threads,
+            invalid=invalid,
+            progress=progress,
+        )
 
     def start(
         self,

@@ -4,6 +4,7 @@ mod aim;
 mod balls_from;
 mod bundled;
 mod columns;
+mod ensemble;
 mod errors;
 mod interrupt;
 mod observe;
@@ -18,6 +19,7 @@ use pyo3::prelude::*;
 /// The native module of the package.
 #[pymodule]
 mod _engine {
+    use carom::ensemble::Outcome;
     use carom::flight::Motion;
     use carom::run::Kind;
     use pyo3::prelude::*;
@@ -29,6 +31,8 @@ mod _engine {
     };
     #[pymodule_export]
     use crate::bundled::{bundled_scenarios, presets};
+    #[pymodule_export]
+    use crate::ensemble::Ensemble;
     #[pymodule_export]
     use crate::observe::ObservedRun;
     #[pymodule_export]
@@ -44,6 +48,7 @@ mod _engine {
         module.add("PHYSICS_VERSION", carom::run::PHYSICS_VERSION)?;
         module.add("EVENT_KINDS", Kind::ALL.map(Kind::name))?;
         module.add("OBSERVABLES", carom::observe::NAMES)?;
+        module.add("OUTCOMES", Outcome::ALL.map(Outcome::name))?;
         module.add("MOTIONS", Motion::ALL.map(Motion::name))
     }
 }

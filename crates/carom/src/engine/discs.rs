@@ -17,7 +17,7 @@ use crate::memory::room_for;
 use crate::model::Disc;
 use crate::run::{Diagnostics, Event, Kind, Observer, Plane, Run, Track};
 use crate::scalar::Scalar;
-use crate::scenario::System;
+use crate::scenario::{BallStart, System};
 use std::sync::Arc;
 
 /// Changes of course of one ball within the collapse time after which a run is given up: a power of two.
@@ -74,13 +74,7 @@ impl<S: Scalar> Engine<S> for Discs<S> {
     }
 
     fn reset(&mut self, observer: &mut impl Observer<S>) {
-        for (ball, flight) in self.system.flights.iter().enumerate() {
-            self.balls[ball] = Ball::new(ball, self.balls[ball].radius, flight, 0);
-            self.rest[ball] = Rest::new(flight, Track::new());
-        }
-        if let Some(many) = &mut self.many {
-            many.put(&mut self.balls, &mut self.rest, S::ZERO);
-        }
+        self.put_at_start();
         self.begin(observer);
     }
 
@@ -231,6 +225,28 @@ impl<S: Scalar> Discs<S> {
         }
         discs.put(balls, time);
         discs
+    }
+
+    /// Back to time zero, where balls start with other velocities; see [`System::set_velocities`].
+    pub(super) fn restart(
+        &mut self,
+        starts: impl Iterator<Item = (usize, BallStart<S>)>,
+        observer: &mut impl Observer<S>,
+    ) {
+        Arc::make_mut(&mut self.system).set_velocities(starts);
+        self.put_at_start();
+        self.energy_at_start = self.energy_at(S::ZERO);
+        self.begin(observer);
+    }
+
+    fn put_at_start(&mut self) {
+        for (ball, flight) in self.system.flights.iter().enumerate() {
+            self.balls[ball] = Ball::new(ball, self.balls[ball].radius, flight, 0);
+            self.rest[ball] = Rest::new(flight, Track::new());
+        }
+        if let Some(many) = &mut self.many {
+            many.put(&mut self.balls, &mut self.rest, S::ZERO);
+        }
     }
 
     /// Puts the balls where their flights have brought them by a time.

@@ -4,7 +4,7 @@ use super::discs::Discs;
 use super::interface::{Engine, Fault};
 use crate::run::{Diagnostics, Dynamics, Kind, Log, Observer, Run, SimulationError, Status};
 use crate::scalar::Scalar;
-use crate::scenario::LARGEST;
+use crate::scenario::{BallStart, LARGEST};
 use std::sync::Arc;
 
 /// The time after which nothing happens, even in a run without a duration: later, what is left of the speeds of balls that
@@ -67,6 +67,19 @@ impl<S: Scalar> Limits<S> {
     fn fewest_events(&self) -> u64 {
         let until = self.until.map_or(u64::MAX, |_| 1);
         self.max_events.min(self.collisions.unwrap_or(u64::MAX)).min(until)
+    }
+}
+
+impl<S: Scalar> Simulation<S> {
+    /// Back to time zero, where balls, by their places, start with other velocities: the run is then that of a new system, but
+    /// no memory is asked for.
+    pub fn restart(
+        &mut self,
+        starts: impl Iterator<Item = (usize, BallStart<S>)>,
+        observer: &mut impl Observer<S>,
+    ) {
+        self.engine.restart(starts, observer);
+        (self.time, self.status, self.seen) = (S::ZERO, None, 0);
     }
 }
 
@@ -341,8 +354,13 @@ impl<S: Scalar, E: Engine<S>> Simulation<S, E> {
 
     /// The state of each ball at the present time.
     pub fn state(&self) -> Vec<StateOf<S, E>> {
+        self.states().collect()
+    }
+
+    /// The same, one by one.
+    pub fn states(&self) -> impl Iterator<Item = StateOf<S, E>> {
         let flight = |ball| E::Dynamics::last_flight(self.engine.system(), &self.engine.ball(ball));
-        (0..self.engine.ball_count()).map(|ball| E::Dynamics::state_at(&flight(ball), self.time)).collect()
+        (0..self.engine.ball_count()).map(move |ball| E::Dynamics::state_at(&flight(ball), self.time))
     }
 
     /// Hands over the flight of each ball, and what goes with it, in the order of the balls.

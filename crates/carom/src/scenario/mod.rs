@@ -20,6 +20,7 @@ mod shot;
 mod start;
 mod structure;
 mod system;
+mod template;
 mod values;
 
 pub use balls_from::{BallsRead, BallsReader};
@@ -35,3 +36,4 @@ pub use schema::Scenario;
 pub use shot::{CueStart, ShotStart};
 pub use start::BallStart;
 pub use system::System;
+pub use template::{Template, Velocities};

@@ -94,8 +94,7 @@ impl Ball {
 
     fn start_spin<S: Scalar>(&self, index: usize, number: Number<'_, S>) -> Vec3<S> {
         let spin = self.spin.map(Vector::in_space);
-        let place = format!("balls[{index}].spin");
-        spin.map_or(Vec3::ZERO, |spin| in_space(&place, spin, S::ZERO, number))
+        spin.map_or(Vec3::ZERO, |spin| in_space(&format_args!("balls[{index}].spin"), spin, S::ZERO, number))
     }
 }
 

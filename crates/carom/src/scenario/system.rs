@@ -101,7 +101,7 @@ impl<S: Scalar> System<S> {
         discs.extend(starts.iter().map(|start| Disc::new(start.radius, start.mass)));
         let flights: Vec<_> = starts.iter().map(|start| flight(start, field)).collect();
         Self {
-            collapse_times: collapse_times(&discs, &flights, field, table.size()),
+            collapse_times: collapse_times(&discs, &flights, field, table.size()).collect(),
             collapse_is_elastic: scenario.physics.collapse() == Collapse::Tc,
             has_backs: backs.iter().any(Option::is_some),
             is_lossless: ball_ball.is_lossless() && cushion_laws.iter().all(ball_cushion::Law::is_lossless),
@@ -121,6 +121,15 @@ impl<S: Scalar> System<S> {
             field,
             tolerance,
         }
+    }
+
+    /// Lets some balls, by their places, start with other velocities: the system is then that of the scenario which says so.
+    pub fn set_velocities(&mut self, starts: impl Iterator<Item = (usize, BallStart<S>)>) {
+        for (ball, start) in starts {
+            self.flights[ball] = flight(&start, self.field);
+        }
+        let times = collapse_times(&self.discs, &self.flights, self.field, self.tolerance.table_size());
+        self.collapse_times.iter_mut().zip(times).for_each(|(old, new)| *old = new);
     }
 }
 
@@ -247,10 +256,15 @@ fn is_back_of<S: Scalar>(line: &Line<S>, other: &Line<S>, tolerance: S) -> bool 
 }
 
 /// `1e-3 √(2r/|a|)` in a field, `1e-6 r/v_max` without; for a point, r is a thousandth of the table.
-fn collapse_times<S: Scalar>(discs: &[Disc<S>], flights: &[Flight<S>], field: Vec2<S>, size: S) -> Vec<S> {
+fn collapse_times<S: Scalar>(
+    discs: &[Disc<S>],
+    flights: &[Flight<S>],
+    field: Vec2<S>,
+    size: S,
+) -> impl Iterator<Item = S> {
     let fastest =
         flights.iter().map(|f| f.velocity.norm_squared()).fold(S::ZERO, |a, b| if b > a { b } else { a });
-    let time = |disc: &Disc<S>| {
+    discs.iter().map(move |disc| {
         let length = if disc.radius > S::ZERO { disc.radius } else { size * S::from_f64(1e-3) };
         if field != Vec2::ZERO {
             (S::from_f64(2.0) * length / field.norm()).sqrt() * S::from_f64(1e-3)
@@ -259,6 +273,5 @@ fn collapse_times<S: Scalar>(discs: &[Disc<S>], flights: &[Flight<S>], field: Ve
         } else {
             S::ZERO
         }
-    };
-    discs.iter().map(time).collect()
+    })
 }

@@ -6,6 +6,7 @@ use super::path::{Step, parse, path_of, step_into};
 use super::problem::{Findings, Problem, ScenarioError};
 use super::schema::{Method, Record, Scenario};
 use super::structure::known_keys;
+use crate::scalar::angle_deg;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::borrow::Cow;
@@ -13,7 +14,8 @@ use std::borrow::Cow;
 impl Scenario {
     /// This scenario with some of its values changed, checked again; null takes a value out.
     ///
-    /// A known key that is absent may be set. A path that leads into a law of the preset or to a ball of the rack first writes
+    /// A known key that is absent may be set. The speed or the direction of a ball may be set where its velocity is given in
+    /// components: the other one then follows from these. A path that leads into a law of the preset or to a ball of the rack first writes
     /// that law out, or an entry for that ball, so that the rest of it stays. All problems are reported: those of the paths, or else those of the
     /// changed scenario.
     ///
@@ -101,6 +103,9 @@ pub(super) fn with_changes<P: AsRef<str>>(
         let path = path.as_ref();
         let under = expanded(&changed);
         let set = parse(path).and_then(|steps| {
+            if !value.is_null() {
+                write_as_speed(&mut changed, &steps);
+            }
             set(&mut changed, under.as_ref(), &steps, value).map_err(|message| Problem::new(path, message))
         });
         if let Err(problem) = set {
@@ -144,6 +149,26 @@ fn set(target: &mut Value, under: Option<&Value>, steps: &[Step], value: &Value)
         return Err(why_not(target, step, &[]));
     };
     set(&mut target[index], inside, rest, value)
+}
+
+/// Where a path leads to the speed or the direction of a ball whose velocity is given in components: writes it as speed and
+/// direction.
+fn write_as_speed(scenario: &mut Value, steps: &[Step]) {
+    let [list @ Step::Key(balls), ball, Step::Key(key)] = steps else { return };
+    if balls != "balls" || !["speed", "direction_deg"].contains(&key.as_str()) {
+        return;
+    }
+    let found = step_into(scenario, list).and_then(|(_, balls)| step_into(balls, ball));
+    let Some((Step::Index(index), ball)) = found else { return };
+    let plan: Option<[f64; 2]> =
+        ball.get("velocity").and_then(|velocity| Deserialize::deserialize(velocity).ok());
+    if let (Some([x, y]), None) = (plan, ball.get("speed"))
+        && let Some(keys) = scenario["balls"][index].as_object_mut()
+    {
+        keys.shift_remove("velocity");
+        keys.insert("speed".into(), (x * x + y * y).sqrt().into());
+        keys.insert("direction_deg".into(), angle_deg(x, y).into());
+    }
 }
 
 /// What an absent key begins with, on the way to a value inside it.

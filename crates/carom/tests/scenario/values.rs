@@ -217,3 +217,15 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn speed_and_direction_are_set_where_a_velocity_stands_in_components() {
+    let slower = midterm().with_values(&[("balls.red.speed", json!(2.5))]).unwrap();
+    assert_eq!((slower.balls[0].velocity, slower.balls[0].speed), (None, Some(2.5)));
+    assert!((slower.balls[0].direction_deg.unwrap() - 53.130_102_354_155_98).abs() < 1e-13);
+    let turned = midterm().with_values(&[("balls[0].direction_deg", json!(90))]).unwrap();
+    assert_eq!((turned.balls[0].speed, turned.balls[0].direction_deg), (Some(5.0), Some(90.0)));
+    // A velocity that is given beside them is a mistake as ever, and one that is not there says nothing.
+    assert!(set("balls.red", json!({ "id": "red", "velocity": [1, 1], "speed": 1 })).contains("beside speed"));
+    assert!(set("balls.blue.speed", json!(1)).contains("speed needs a direction"));
+}

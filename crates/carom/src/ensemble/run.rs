@@ -1,0 +1,221 @@
+//! An ensemble, and the table that comes out of it.
+
+use super::inputs::Inputs;
+use super::outcome::{Column, Layout, Outcome};
+use super::runner::{RowError, Runner};
+use crate::run::{Dynamics, OnCloth, Status};
+use crate::scenario::schema::{Method, Record};
+use crate::scenario::{Problem, Scenario, ScenarioError, Template, Velocities};
+use core::ops::Range;
+use core::time::Duration;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError, mpsc};
+use thiserror::Error;
+
+/// Rows that a thread takes at once.
+const ROWS_AT_ONCE: usize = 64;
+
+/// Time between two looks at whether to break off.
+const PAUSE: Duration = Duration::from_millis(20);
+
+/// So many rows at most are asked for one that makes a scenario.
+const TRIALS: u64 = 1000;
+
+/// Many runs of one scenario, with some of its numbers varied.
+#[derive(Clone, Debug)]
+pub struct Ensemble {
+    inputs: Inputs,
+    template: Template,
+    /// The scenario of the first row that makes one.
+    base: Scenario,
+    /// What a run of a single row keeps.
+    record: Option<Record>,
+    velocities: Option<Velocities>,
+    layout: Layout,
+}
+
+/// What became of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// The run ended.
+    Ended(Status),
+    /// Its numbers make no scenario.
+    Rejected,
+    /// The run broke an invariant: the engine's fault.
+    Failed,
+    /// It was not run, or not to its end.
+    NotRun,
+}
+
+/// Rows of outcomes.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// The outcomes row by row, in the order of the columns; not a number in rows without any.
+    pub numbers: Vec<f64>,
+    /// What became of each row.
+    pub endings: Vec<Ending>,
+    /// Of each row that was rejected or failed its number and why, in the order of the rows.
+    pub problems: Vec<(u64, String)>,
+}
+
+/// Why an ensemble could not be computed at all.
+#[derive(Debug, Error)]
+pub enum EnsembleError {
+    /// There are no threads to be had.
+    #[error("threads: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+}
+
+impl Ending {
+    /// The word used in files, on the shell and in Python.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ended(status) => status.name(),
+            Self::Rejected => "rejected",
+            Self::Failed => "failed",
+            Self::NotRun => "not_run",
+        }
+    }
+}
+
+impl Ensemble {
+    /// An ensemble of a checked scenario.
+    ///
+    /// # Errors
+    ///
+    /// Where no row makes a scenario, as where a path leads nowhere; and where an outcome is not one of these balls.
+    pub fn new(scenario: &Scenario, inputs: Inputs, outcomes: &[Outcome]) -> Result<Self, ScenarioError> {
+        let record = if scenario.method == Method::Exact { Record::None } else { Record::Events };
+        let template = Template::new(scenario, inputs.paths(), record)?;
+        let base = first_scenario(&template, &inputs)?;
+        let velocities = Velocities::new(&base, inputs.paths());
+        let cushions =
+            if base.has_cloth() { <OnCloth as Dynamics<f64>>::system(&base).place_of(0) } else { 0 };
+        let layout = Layout::new(&base, outcomes, cushions)?;
+        Ok(Self { inputs, template, base, record: scenario.record, velocities, layout })
+    }
+
+    /// The columns of its tables.
+    pub fn columns(&self) -> &[Column] {
+        &self.layout.columns
+    }
+
+    /// The numbers of each row.
+    pub fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
+
+    /// The scenario of a row, which runs as that row does, and keeps what the scenario of the ensemble does.
+    ///
+    /// # Errors
+    ///
+    /// Where its numbers make no scenario.
+    pub fn scenario(&self, row: u64) -> Result<Scenario, ScenarioError> {
+        let mut numbers = vec![0.0; self.inputs.paths().len()];
+        self.inputs.fill(row, &mut numbers);
+        Ok(Scenario { record: self.record, ..self.template.with(&numbers)? })
+    }
+
+    /// Runs some rows, on as many threads as there are cores unless it is said on how many.
+    ///
+    /// Now and then `watch` is handed the number of rows done; where it says so, the rows that are left are not run.
+    pub fn run(
+        &self,
+        rows: Range<u64>,
+        threads: Option<usize>,
+        watch: &mut dyn FnMut(u64) -> bool,
+    ) -> Result<Table, EnsembleError> {
+        let (count, width) = ((rows.end - rows.start) as usize, self.layout.columns.len());
+        let mut table = Table {
+            numbers: vec![f64::NAN; count * width],
+            endings: vec![Ending::NotRun; count],
+            problems: Vec::new(),
+        };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build()?;
+        let shared = Shared::default();
+        std::thread::scope(|scope| {
+            let (tell, told) = mpsc::channel::<()>();
+            let (shared, table, first) = (&shared, &mut table, rows.start);
+            scope.spawn(move || {
+                pool.install(|| self.run_all(first, table, width, shared));
+                drop(tell);
+            });
+            while told.recv_timeout(PAUSE) == Err(mpsc::RecvTimeoutError::Timeout) {
+                if watch(shared.done.load(Ordering::Relaxed)) {
+                    shared.is_over.store(true, Ordering::Relaxed);
+                }
+            }
+        });
+        table.problems = shared.problems.into_inner().unwrap_or_else(PoisonError::into_inner);
+        table.problems.sort_unstable_by_key(|(row, _)| *row);
+        Ok(table)
+    }
+
+    fn run_all(&self, first: u64, table: &mut Table, width: usize, shared: &Shared) {
+        let runner = || Runner::new(&self.template, &self.layout, &self.base, self.velocities.as_ref());
+        let begin = || (runner(), vec![0.0; self.inputs.paths().len()]);
+        // Where nothing is kept there are no numbers to part among the threads: each has an empty list of them.
+        let mut numbers: Vec<&mut [f64]> = if width == 0 {
+            table.endings.chunks(ROWS_AT_ONCE).map(|_| Default::default()).collect()
+        } else {
+            table.numbers.chunks_mut(width * ROWS_AT_ONCE).collect()
+        };
+        table.endings.par_chunks_mut(ROWS_AT_ONCE).zip(&mut numbers).enumerate().for_each_init(
+            begin,
+            |(runner, inputs), (chunk, (endings, numbers))| {
+                let first = first + (chunk * ROWS_AT_ONCE) as u64;
+                for (place, ending) in endings.iter_mut().enumerate() {
+                    if shared.is_over.load(Ordering::Relaxed) {
+                        return;
+                    }
+                    let row = first + place as u64;
+                    self.inputs.fill(row, inputs);
+                    let out = &mut numbers[place * width..(place + 1) * width];
+                    *ending = shared.judge(row, runner.run(inputs, out, &|| shared.is_over()));
+                }
+                shared.done.fetch_add(endings.len() as u64, Ordering::Relaxed);
+            },
+        );
+    }
+}
+
+/// What the threads share.
+#[derive(Default)]
+struct Shared {
+    done: AtomicU64,
+    is_over: AtomicBool,
+    problems: Mutex<Vec<(u64, String)>>,
+}
+
+impl Shared {
+    fn is_over(&self) -> bool {
+        self.is_over.load(Ordering::Relaxed)
+    }
+
+    fn judge(&self, row: u64, outcome: Result<Option<Status>, RowError>) -> Ending {
+        let (ending, error) = match outcome {
+            Ok(status) => return status.map_or(Ending::NotRun, Ending::Ended),
+            Err(error @ RowError::Rejected(_)) => (Ending::Rejected, error),
+            Err(error @ RowError::Failed(_)) => (Ending::Failed, error),
+        };
+        let mut problems = self.problems.lock().unwrap_or_else(PoisonError::into_inner);
+        problems.push((row, error.to_string()));
+        ending
+    }
+}
+
+/// The scenario of the first row that makes one; the error is that of the first row.
+fn first_scenario(template: &Template, inputs: &Inputs) -> Result<Scenario, ScenarioError> {
+    let mut numbers = vec![0.0; inputs.paths().len()];
+    let mut first = Problem::new("runs", "there are none").into();
+    for row in 0..inputs.rows().min(TRIALS) {
+        inputs.fill(row, &mut numbers);
+        match template.with(&numbers) {
+            Ok(scenario) => return Ok(scenario),
+            Err(error) if row == 0 => first = error,
+            Err(_) => {}
+        }
+    }
+    Err(first)
+}

@@ -1,0 +1,119 @@
+//! One thread's share of an ensemble: a run after the other, in memory that is used again.
+
+use super::outcome::{Kept, Layout};
+use crate::engine::Simulation;
+use crate::run::{Dynamics, OnCloth, Plane, SimulationError, Status};
+use crate::scenario::{Scenario, ScenarioError, Template, Velocities};
+use crate::simulate::{Simulated, SimulationOf, limits_of};
+use std::sync::Arc;
+use thiserror::Error;
+
+/// Steps between two looks at whether a run should be broken off.
+const SLICE: u64 = 50_000;
+
+/// Why a row has no outcomes.
+#[derive(Debug, Error)]
+pub(super) enum RowError {
+    /// Its numbers make no scenario.
+    #[error("{0}")]
+    Rejected(#[from] ScenarioError),
+    /// The run broke an invariant.
+    #[error("{0}")]
+    Failed(#[from] SimulationError),
+}
+
+/// What makes runs out of rows of numbers.
+pub(super) struct Runner<'a> {
+    template: &'a Template,
+    layout: &'a Layout,
+    kept: Kept,
+    /// The balls in the order of the columns. A rack has its own for each seed.
+    ball_ids: Vec<String>,
+    /// A run that starts again and again, where only velocities of discs are varied.
+    again: Option<(Velocities, Simulation<f64>)>,
+}
+
+impl<'a> Runner<'a> {
+    pub(super) fn new(
+        template: &'a Template,
+        layout: &'a Layout,
+        base: &Scenario,
+        velocities: Option<&Velocities>,
+    ) -> Self {
+        let ball_ids: Vec<String> = base.expanded().balls.iter().map(|ball| ball.id.clone()).collect();
+        let mut kept = Kept::new();
+        let again = velocities.map(|velocities| {
+            let system = Arc::new(<Plane as Dynamics<f64>>::system(base));
+            (velocities.clone(), Simulation::new(system, limits_of(base, None), &mut kept))
+        });
+        Self { template, layout, kept, ball_ids, again }
+    }
+
+    /// Runs a row of numbers and fills in the outcomes; `None` where it was broken off.
+    pub(super) fn run(
+        &mut self,
+        numbers: &[f64],
+        out: &mut [f64],
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<Option<Status>, RowError> {
+        self.kept.clear(self.ball_ids.len());
+        if let Some((velocities, simulation)) = &mut self.again
+            && velocities.set(numbers)
+        {
+            simulation.restart(velocities.starts(), &mut self.kept);
+            let status = go_on::<Plane>(simulation, &mut self.kept, interrupted)?;
+            if status.is_some() {
+                self.layout.fill(out, simulation.time(), simulation.diagnostics(), &self.kept);
+            }
+            return Ok(status);
+        }
+        let scenario = self.template.with(numbers)?;
+        if scenario.has_cloth() {
+            self.run_anew::<OnCloth>(&scenario, out, interrupted)
+        } else {
+            self.run_anew::<Plane>(&scenario, out, interrupted)
+        }
+    }
+
+    fn run_anew<D: Simulated>(
+        &mut self,
+        scenario: &Scenario,
+        out: &mut [f64],
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<Option<Status>, RowError> {
+        if let Some(run) = D::stepped(scenario, None, &mut || interrupted()) {
+            if run.status == Status::Interrupted {
+                return Ok(None);
+            }
+            run.log.events.iter().for_each(|event| self.kept.note(event));
+            self.kept.keep_end::<D>(run.final_state().into_iter());
+            self.layout.fill(out, run.end_time, &run.diagnostics, &self.kept);
+            return Ok(Some(run.status));
+        }
+        let system = Arc::new(D::system(scenario));
+        self.kept.clear(D::ball_ids(&system).len());
+        let mut simulation: SimulationOf<D> =
+            Simulation::new(system, limits_of(scenario, None), &mut self.kept);
+        let status = go_on::<D>(&mut simulation, &mut self.kept, interrupted)?;
+        if status.is_some() {
+            self.kept.reorder(D::ball_ids(simulation.system()), &self.ball_ids);
+            self.layout.fill(out, simulation.time(), simulation.diagnostics(), &self.kept);
+        }
+        Ok(status)
+    }
+}
+
+/// Goes on to the end and keeps the states there; `None` where the run was broken off.
+fn go_on<D: Simulated>(
+    simulation: &mut SimulationOf<D>,
+    kept: &mut Kept,
+    interrupted: &dyn Fn() -> bool,
+) -> Result<Option<Status>, SimulationError> {
+    while simulation.advance(SLICE, kept)? {
+        if interrupted() {
+            return Ok(None);
+        }
+    }
+    kept.keep_end::<D>(simulation.states());
+    Ok(simulation.status())
+}

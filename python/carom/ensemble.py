@@ -1,0 +1,239 @@
+"""Ensembles: many runs of one scenario with some of its numbers varied."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+from carom import _engine
+from carom.columns import ColumnTable, column_of
+from carom.errors import ScenarioError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    from carom.run import Run
+    from carom.scenario import Scenario
+else:
+    from carom import arrays as np
+
+Design = Literal["independent", "latin_hypercube", "sobol"]
+"""How the rows of what is drawn lie: each by itself, one in each of as many layers, or as even as can be."""
+
+Invalid = Literal["error", "keep"]
+"""What to do about rows whose numbers make no scenario: refuse the ensemble, or keep them without outcomes."""
+
+Progress = Callable[[int, int], object]
+"""Told now and then of the runs done and of all; ends the ensemble by what is true."""
+
+NAMED_AT_MOST = 3
+"""So many rejected rows are named in an error."""
+
+
+@dataclass(frozen=True, slots=True)
+class Uniform:
+    """A number that is drawn anew for each run, each between two bounds equally likely."""
+
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, slots=True)
+class Normal:
+    """A number that is drawn anew for each run, from a normal distribution."""
+
+    mean: float
+    standard_deviation: float
+
+
+class Grid(Mapping[str, Any]):
+    """Each number of each axis with each of those of the others; the last axis varies fastest.
+
+    Parameters
+    ----------
+    axes : mapping of str to (n,) array_like
+        The numbers at each path.
+
+    Examples
+    --------
+    >>> import carom
+    >>> grid = carom.Grid({"balls.red.speed": [4, 5], "balls.red.direction_deg": [40, 50, 60]})
+    >>> grid.shape
+    (2, 3)
+    """
+
+    def __init__(self, axes: Mapping[str, ArrayLike]) -> None:
+        self._axes = {path: _numbers(path, axis) for path, axis in axes.items()}
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """How many numbers each axis has: an outcome takes the shape of the grid by ``.reshape(grid.shape)``."""
+        return tuple(len(axis) for axis in self._axes.values())
+
+    def __getitem__(self, path: str) -> NDArray[np.float64]:
+        return self._axes[path]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._axes)
+
+    def __len__(self) -> int:
+        return len(self._axes)
+
+    def __repr__(self) -> str:
+        return f"Grid: {' x '.join(map(str, self.shape))} of {', '.join(self)}"
+
+
+Varied = Mapping[str, "ArrayLike | Uniform | Normal"]
+"""What is varied: at each path a number for each run, or a distribution."""
+
+
+class Ensemble(ColumnTable):
+    """The outcomes of many runs of one scenario, a row for each run; see `Scenario.ensemble`.
+
+    The columns are the varied numbers, by their paths; ``status``, the word of each run, or ``rejected`` (the numbers
+    make no scenario), ``failed`` (a broken invariant) or ``not_run`` (the ensemble was ended early); the outcomes;
+    and, where any row was rejected or failed, ``problem``, which says why. Outcomes of rows without any are NaN,
+    counts −1 (absent in what pandas, Arrow and CSV get), and pockets None.
+
+    Attributes
+    ----------
+    is_complete : bool
+        Whether every row was run.
+    """
+
+    is_complete: bool
+
+    def __init__(
+        self, scenario: Scenario, native: _engine.Ensemble, columns: Mapping[str, Any], *, is_complete: bool
+    ) -> None:
+        super().__init__(columns)
+        self._scenario = scenario
+        self._native = native
+        self.is_complete = is_complete
+
+    @property
+    def scenario(self) -> Scenario:
+        """The scenario that was varied."""
+        return self._scenario
+
+    def scenario_of(self, row: int) -> Scenario:
+        """Give the scenario of one row, to look at its run; it has the bits of that row.
+
+        Raises
+        ------
+        ScenarioError
+            When the numbers of the row make no scenario.
+        """
+        return type(self._scenario)._of(self._native.scenario(row))
+
+    def _exported(self) -> dict[str, NDArray[Any]]:
+        columns, counts = self.to_dict(), (name for name, meaning in self._native.columns() if meaning == "count")
+        return {**columns, **{name: np.ma.masked_equal(columns[name], -1) for name in counts}}
+
+
+def ensemble(
+    scenario: Scenario,
+    varied: Varied | Grid,
+    outcomes: Sequence[str],
+    functions: Mapping[str, Callable[[Run], Any]],
+    *,
+    runs: int | None,
+    design: Design,
+    seed: int,
+    threads: int | None,
+    invalid: Invalid,
+    progress: Progress | None,
+) -> Ensemble:
+    """Run many variations of a scenario; see `Scenario.ensemble`."""
+    if isinstance(outcomes, str):
+        raise TypeError(f"outcomes: expected a list of names, got the text {outcomes!r}; give [{outcomes!r}]")
+    if invalid not in ("error", "keep"):
+        raise ValueError(f'invalid: must be "error" or "keep", got {invalid!r}')
+    is_grid = isinstance(varied, Grid)
+    sources = [(path, *_source(path, numbers, is_grid=is_grid)) for path, numbers in varied.items()]
+    native = _engine.Ensemble(scenario._native, sources, runs, design, seed, list(outcomes))
+    watch = None if progress is None else lambda done: progress(done, native.runs)
+    numbers, codes, words, problems, is_interrupted = native.run(0, native.runs, threads, watch)
+    rejected = [(row, text) for row, text in problems if words[codes[row]] == "rejected"]
+    if rejected and invalid == "error":
+        raise _rejected(rejected, native.runs)
+    status = _words(words)[codes]
+    columns: dict[str, Any] = dict(zip(varied, native.inputs(0, native.runs).T, strict=True))
+    has_outcomes = ~np.isin(status, ["rejected", "failed", "not_run"])
+    columns |= {"status": status, **_outcomes(scenario, native, numbers, has_outcomes)}
+    for name, values in _called(native, scenario, functions, has_outcomes).items():
+        columns[name] = column_of(values)
+    if problems:
+        columns["problem"] = np.full(native.runs, None, dtype=object)
+        columns["problem"][[row for row, _ in problems]] = [text for _, text in problems]
+    is_complete = not is_interrupted and "not_run" not in words
+    return Ensemble(scenario, native, columns, is_complete=is_complete)
+
+
+def _source(path: str, numbers: Any, *, is_grid: bool) -> tuple[str, NDArray[np.float64]]:
+    """Give the engine's word for what stands at a path, and its numbers."""
+    match numbers:
+        case Uniform(low, high):
+            return "uniform", np.array([low, high], dtype=np.float64)
+        case Normal(mean, standard_deviation):
+            return "normal", np.array([mean, standard_deviation], dtype=np.float64)
+        case _:
+            return "axis" if is_grid else "given", _numbers(path, numbers)
+
+
+def _numbers(path: str, numbers: ArrayLike) -> NDArray[np.float64]:
+    try:
+        array = np.array(numbers, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise TypeError(f"{path}: expected numbers, a Uniform or a Normal, got {numbers!r}") from None
+    if array.ndim != 1:
+        raise ValueError(f"{path}: must have the shape (n_runs,), got {array.shape}")
+    return array
+
+
+def _outcomes(
+    scenario: Scenario, native: _engine.Ensemble, numbers: NDArray[np.float64], has_outcomes: NDArray[np.bool_]
+) -> dict[str, NDArray[Any]]:
+    """Give the columns of outcomes by name, each as what it is."""
+    pockets = _words([*(pocket["id"] for pocket in scenario.outline()["pockets"]), None])
+    columns: dict[str, NDArray[Any]] = {}
+    for place, (name, meaning) in enumerate(native.columns()):
+        column = numbers[:, place]
+        if meaning == "quantity":
+            columns[name] = column
+            continue
+        whole = np.where(has_outcomes, column, -1.0).astype(np.int64)
+        columns[name] = pockets[whole] if meaning == "pocket" else whole
+    return columns
+
+
+def _called(
+    native: _engine.Ensemble,
+    scenario: Scenario,
+    functions: Mapping[str, Callable[[Run], Any]],
+    has_outcomes: NDArray[np.bool_],
+) -> dict[str, list[Any]]:
+    """Call functions of runs, which are computed once more for them, one by one."""
+    values: dict[str, list[Any]] = {name: [None] * native.runs for name in functions}
+    if functions:
+        for row in np.flatnonzero(has_outcomes).tolist():
+            run = type(scenario)._of(native.scenario(row)).run()
+            for name, function in functions.items():
+                values[name][row] = function(run)
+    return values
+
+
+def _words(words: Sequence[str | None]) -> NDArray[Any]:
+    column = np.empty(len(words), dtype=object)
+    column[:] = words
+    return column
+
+
+def _rejected(rejected: Sequence[tuple[int, str]], runs: int) -> ScenarioError:
+    """Give the error that says which rows make no scenario, and why the first of them do not."""
+    problems = [(f"run {row}", " ".join(text.split())) for row, text in rejected[:NAMED_AT_MOST]]
+    more = len(rejected) - len(problems)
+    said = f"{len(rejected)} of {runs} make no scenario" + (f", {more} more than are named here" if more else "")
+    return ScenarioError([("runs", f'{said}; invalid="keep" leaves them without outcomes'), *problems])
