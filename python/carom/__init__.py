@@ -68,6 +68,7 @@ if TYPE_CHECKING:
     from carom.scenario import Scenario, load
     from carom.shot import ShotResult
     from carom.simulation import Candidate, Simulation
+    from carom.sweep import Sweep, SweepResult
     from carom.table import Arc, Circle, Line, Mouth, Path, Pocket, Table, Wall
 
 _HOMES = {
@@ -125,6 +126,7 @@ _HOMES = {
     "scenario": ["Scenario", "load"],
     "shot": ["ShotResult"],
     "simulation": ["Candidate", "Simulation"],
+    "sweep": ["Sweep", "SweepResult"],
     "table": ["Arc", "Circle", "Line", "Mouth", "Path", "Pocket", "Table", "Wall"],
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
@@ -187,6 +189,8 @@ __all__ = [
     "StepComparison",
     "Stepped",
     "StrongeCompliant",
+    "Sweep",
+    "SweepResult",
     "Table",
     "TrajectoryComparison",
     "TrajectoryError",

@@ -151,9 +151,7 @@ def ensemble(
         raise TypeError(f"outcomes: expected a list of names, got the text {outcomes!r}; give [{outcomes!r}]")
     if invalid not in ("error", "keep"):
         raise ValueError(f'invalid: must be "error" or "keep", got {invalid!r}')
-    is_grid = isinstance(varied, Grid)
-    sources = [(path, *_source(path, numbers, is_grid=is_grid)) for path, numbers in varied.items()]
-    native = _engine.Ensemble(scenario._native, sources, runs, design, seed, list(outcomes))
+    native = native_ensemble(scenario, varied, outcomes, runs=runs, design=design, seed=seed)
     watch = None if progress is None else lambda done: progress(done, native.runs)
     numbers, codes, words, problems, is_interrupted = native.run(0, native.runs, threads, watch)
     rejected = [(row, text) for row, text in problems if words[codes[row]] == "rejected"]
@@ -162,7 +160,7 @@ def ensemble(
     status = _words(words)[codes]
     columns: dict[str, Any] = dict(zip(varied, native.inputs(0, native.runs).T, strict=True))
     has_outcomes = ~np.isin(status, ["rejected", "failed", "not_run"])
-    columns |= {"status": status, **_outcomes(scenario, native, numbers, has_outcomes)}
+    columns |= {"status": status, **outcomes_of(scenario, native, numbers, has_outcomes)}
     for name, values in _called(native, scenario, functions, has_outcomes).items():
         columns[name] = column_of(values)
     if problems:
@@ -170,6 +168,15 @@ def ensemble(
         columns["problem"][[row for row, _ in problems]] = [text for _, text in problems]
     is_complete = not is_interrupted and "not_run" not in words
     return Ensemble(scenario, native, columns, is_complete=is_complete)
+
+
+def native_ensemble(
+    scenario: Scenario, varied: Varied | Grid, outcomes: Sequence[str], *, runs: int | None, design: str, seed: int
+) -> _engine.Ensemble:
+    """Give the engine's ensemble, checked."""
+    is_grid = isinstance(varied, Grid)
+    sources = [(path, *_source(path, numbers, is_grid=is_grid)) for path, numbers in varied.items()]
+    return _engine.Ensemble(scenario._native, sources, runs, design, seed, list(outcomes))
 
 
 def _source(path: str, numbers: Any, *, is_grid: bool) -> tuple[str, NDArray[np.float64]]:
@@ -193,7 +200,7 @@ def _numbers(path: str, numbers: ArrayLike) -> NDArray[np.float64]:
     return array
 
 
-def _outcomes(
+def outcomes_of(
     scenario: Scenario, native: _engine.Ensemble, numbers: NDArray[np.float64], has_outcomes: NDArray[np.bool_]
 ) -> dict[str, NDArray[Any]]:
     """Give the columns of outcomes by name, each as what it is."""

@@ -38,7 +38,7 @@ mod _engine {
     #[pymodule_export]
     use crate::run::Run;
     #[pymodule_export]
-    use crate::scenario::{Scenario, schema};
+    use crate::scenario::{Scenario, schema, toml_as_json};
     #[pymodule_export]
     use crate::simulation::Simulation;
 

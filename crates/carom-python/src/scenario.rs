@@ -8,7 +8,7 @@ use crate::run::Run;
 use crate::simulation::Simulation;
 use carom::run::Kind;
 use carom::scenario::schema::Record;
-use carom::scenario::{self, json_schema};
+use carom::scenario::{self, json_schema, value_of_toml};
 use carom::simulate::AnyRun;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -35,6 +35,12 @@ impl Scenario {
 #[pyfunction]
 pub fn schema() -> String {
     json_schema().to_string()
+}
+
+/// A text in TOML as JSON text.
+#[pyfunction]
+pub fn toml_as_json(text: &str) -> PyResult<String> {
+    value_of_toml(text).map(|value| value.to_string()).map_err(scenario_error)
 }
 
 #[pymethods]

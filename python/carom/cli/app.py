@@ -16,6 +16,7 @@ from carom.cli.gas import gas
 from carom.cli.resume import resume
 from carom.cli.run import run
 from carom.cli.scenarios import scenarios, schema
+from carom.cli.sweep import sweep
 
 
 class Commands(TyperGroup):
@@ -91,6 +92,7 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
         "carom gas fifty_random --snapshots gsd --snapshot-interval 0.5 --events 1 2 --out out/gas",
     ],
     resume: ["carom resume out/gas", "carom resume out/gas --duration 20"],
+    sweep: ["carom sweep my_sweep.toml --out out/sweep"],
     check: ["carom check my.toml"],
     verify: ["carom verify out/mine/run.json"],
     scenarios: ["carom scenarios", "carom scenarios --copy stadium stadium.toml"],

@@ -113,6 +113,36 @@ def bar(most: int | None, end: float | None, already: int = 0) -> Iterator[Calla
         yield tell
 
 
+@contextmanager
+def counting(words: str, unit: str) -> Iterator[Callable[[int, int], None]]:
+    """Show on a terminal how many of all are done, at what speed, and how long the others will take."""
+    if not sys.stderr.isatty():
+        yield lambda *_: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TaskProgressColumn(),
+        TextColumn("{task.fields[speed]}"),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task(words, total=None, speed="")
+        first: list[tuple[float, int]] = []
+
+        def tell(done: int, of: int) -> None:
+            now = progress.get_time()
+            if not first:
+                first.append((now, done))
+            rate = (done - first[0][1]) / max(now - first[0][0], 1e-9)
+            progress.update(task, completed=done, total=of, speed=f"{rate:,.0f} {unit}/s")
+
+        yield tell
+
+
 def result_names() -> list[str]:
     """Give the names of all files of results, which come when a run has ended."""
     from carom import _engine

@@ -30,6 +30,7 @@ pub use equipment::Equipment;
 pub use json_schema::json_schema;
 pub use layout::Number;
 pub(crate) use nearest::suggestion;
+pub use parse::value_of_toml;
 pub use path::Key;
 pub use problem::{Problem, ScenarioError};
 pub use schema::Scenario;

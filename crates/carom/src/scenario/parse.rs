@@ -33,8 +33,7 @@ impl Scenario {
         values: &[(String, Value)],
         reader: &mut BallsReader<'_>,
     ) -> Result<Self, ScenarioError> {
-        let document: toml::Table = text.parse().map_err(|error| toml_problem(text, &error))?;
-        Self::from_value_with(&with_changes(json_of_table(document), values)?, reader)
+        Self::from_value_with(&with_changes(value_of_toml(text)?, values)?, reader)
     }
 
     /// The same as [`Scenario::from_json`], with a reader for balls that stand in a file, and values changed before it reads.
@@ -92,6 +91,12 @@ impl Scenario {
     pub fn to_toml(&self) -> Result<String, ScenarioError> {
         toml::to_string(self).map_err(|error| Problem::new("scenario", error).into())
     }
+}
+
+/// A text in TOML as a JSON value; the texts "nan", "inf" and "-inf" stand for such numbers.
+pub fn value_of_toml(text: &str) -> Result<Value, ScenarioError> {
+    let document: toml::Table = text.parse().map_err(|error| toml_problem(text, &error))?;
+    Ok(json_of_table(document))
 }
 
 /// Refuses what it makes no sense to look at more closely: nothing at all, and a format of the future.

@@ -226,6 +226,8 @@ fn speed_and_direction_are_set_where_a_velocity_stands_in_components() {
     let turned = midterm().with_values(&[("balls[0].direction_deg", json!(90))]).unwrap();
     assert_eq!((turned.balls[0].speed, turned.balls[0].direction_deg), (Some(5.0), Some(90.0)));
     // A velocity that is given beside them is a mistake as ever, and one that is not there says nothing.
-    assert!(set("balls.red", json!({ "id": "red", "velocity": [1, 1], "speed": 1 })).contains("beside speed"));
+    assert!(
+        set("balls.red", json!({ "id": "red", "velocity": [1, 1], "speed": 1 })).contains("beside speed")
+    );
     assert!(set("balls.blue.speed", json!(1)).contains("speed needs a direction"));
 }

@@ -1,0 +1,47 @@
+"""``carom sweep``: run the ensemble of a file into a dataset."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from carom.cli import INTERRUPTED, options
+from carom.cli.measuring import counting, interruptible
+from carom.cli.output import print_json, print_table, reporting, say_error
+
+
+@reporting()
+def sweep(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="The sweep: a .toml or .json file.", show_default=False)],
+    out: Annotated[Path, typer.Option(metavar="DIR", help="The folder of the dataset.", show_default=False)],
+    threads: Annotated[
+        int | None, typer.Option(metavar="N", min=1, help="On N threads.  [default: as many as there are cores]")
+    ] = None,
+    as_json: options.Json = False,
+) -> None:
+    """Run many variations of a scenario into a Parquet dataset, as a file says.
+
+    The dataset is written in parts, each whole or not at all, beside manifest.json. Ctrl-C, or a kill, loses no more
+    than the parts under way: the same command goes on, and the dataset is the one that it would have been at once.
+    Rows whose numbers make no scenario stay, rejected, with the problem.
+    """
+    from carom.sweep import Sweep
+
+    planned = Sweep.load(file)
+    began = time.perf_counter()
+    with interruptible() as interrupted, counting("runs", "runs") as told:
+        result = planned.run(out, threads=threads, progress=lambda *now: told(*now) or interrupted())
+    seconds = time.perf_counter() - began
+    facts = {"rows": result.rows, "of": planned.rows, "seconds": round(seconds, 3), "out": str(out)}
+    if as_json:
+        print_json({**facts, "statuses": result.statuses})
+    else:
+        print_table({"status": list(result.statuses), "rows": list(result.statuses.values())})
+        print()
+        print_table({"sweep": list(facts), "value": list(facts.values())})
+    if not result.is_complete:
+        say_error("", f"ended after {result.rows} of {planned.rows} rows; the same command goes on")
+        raise typer.Exit(INTERRUPTED)
