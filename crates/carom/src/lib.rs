@@ -3,6 +3,7 @@
 pub mod aim;
 pub mod detect;
 pub mod engine;
+pub mod ensemble;
 pub mod flight;
 pub mod gas;
 pub mod geometry;

@@ -26,9 +26,14 @@ impl Random {
 
     /// The next 64 random bits.
     pub fn bits(&mut self) -> u64 {
-        let bits = number(self.key, self.counter);
+        let bits = self.bits_at(self.counter);
         self.counter += 1;
         bits
+    }
+
+    /// The 64 random bits of number `counter`, from 0: what [`Random::bits`] gives when it has been called that often.
+    pub fn bits_at(&self, counter: u64) -> u64 {
+        number(self.key, counter)
     }
 
     /// A number from 0 up to but not including 1: a multiple of 2⁻⁵³.
@@ -89,6 +94,16 @@ mod tests {
         for (counter, expected) in (0..).zip(expected) {
             assert_eq!(number(1234567, counter), expected);
         }
+    }
+
+    #[test]
+    fn a_number_read_directly_is_the_one_that_is_drawn_in_turn() {
+        let mut random = Random::new(11, "test");
+        let direct = random.clone();
+        for counter in 0..100 {
+            assert_eq!(direct.bits_at(counter), random.bits());
+        }
+        assert_eq!(random.bits_at(3), direct.bits_at(3), "numbers count from the start, whatever was drawn");
     }
 
     #[test]

@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 
 /// Rooms in order; rooms of one row do not know each other.
-const ROWS: [&[&str]; 11] = [
+const ROWS: [&[&str]; 12] = [
     &["scalar"],
     &["geometry"],
     &["roots"],
@@ -17,6 +17,7 @@ const ROWS: [&[&str]; 11] = [
     &["aim", "run"],
     &["engine", "observe", "stepped"],
     &["simulate"],
+    &["ensemble"],
 ];
 
 fn root() -> PathBuf {
