@@ -68,8 +68,8 @@ impl Distribution {
     /// between 0 and 1, the value means nothing.
     pub fn at(&self, unit: f64) -> f64 {
         match *self {
-            // Rounding of the width may lead beyond the end, by the last bit.
-            Self::Uniform { low, high } => (low + (high - low) * unit).min(high),
+            // Rounding makes the width too large by half a last digit at most, and a number below 1 takes off as much.
+            Self::Uniform { low, high } => low + (high - low) * unit,
             Self::Normal { mean, standard_deviation } => mean + standard_deviation * normal_quantile(unit),
         }
     }

@@ -22,7 +22,8 @@ pub(super) struct LatinHypercube {
 impl LatinHypercube {
     /// The dimension of that name, of a design of from 1 to 2⁵² rows.
     pub(super) fn new(seed: u64, rows: u64, name: &str) -> Self {
-        let place_bits = rows.leading_zeros() - (u64::BITS - f64::MANTISSA_DIGITS);
+        let cell_bits = u64::BITS - (rows - 1).leading_zeros();
+        let place_bits = f64::MANTISSA_DIGITS - cell_bits;
         Self {
             cells: Permutation::new(Random::new(seed, &format!("latin_hypercube.{name}")), rows),
             places: Random::new(seed, &format!("ensemble.{name}")),
@@ -35,7 +36,7 @@ impl LatinHypercube {
     pub(super) fn unit(&self, row: u64) -> f64 {
         let cell = self.cells.at(row) << self.place_bits;
         // An odd place is not on the edge; the quotient is rounded by half a place at most, so it is not there either.
-        let place = self.places.bits_at(row) >> (u64::BITS - self.place_bits) | 1;
+        let place = (self.places.bits_at(row) >> (u64::BITS - self.place_bits)) | 1;
         (cell | place) as f64 / self.size
     }
 }

@@ -2,9 +2,15 @@
 
 use crate::random::Random;
 
-/// Rounds of the network. Four make it as good as random for many numbers (M. Luby, C. Rackoff, SIAM J. Comput. 17
-/// (1988) 373); where halves have a bit or two it takes more until every order is equally likely.
+/// Rounds of the network: four make it as good as random for many numbers (M. Luby, C. Rackoff, SIAM J. Comput. 17
+/// (1988) 373), and twice as many for some dozens.
 const ROUNDS: u64 = 8;
+
+/// Halves of a bit or two hide little from each other: it takes so many rounds until every order is equally likely.
+const ROUNDS_OF_FEW: u64 = 32;
+
+/// Up to so many bits the numbers are few.
+const FEW_BITS: u32 = 4;
 
 /// An order of the whole numbers below some count: a Feistel network keyed by a stream.
 ///
@@ -18,6 +24,7 @@ pub(super) struct Permutation {
     count: u64,
     low_bits: u32,
     high_bits: u32,
+    rounds: u64,
 }
 
 impl Permutation {
@@ -25,7 +32,8 @@ impl Permutation {
     pub(super) fn new(random: Random, count: u64) -> Self {
         let bits = u64::BITS - count.saturating_sub(1).leading_zeros();
         let high_bits = bits / 2;
-        Self { random, count, low_bits: bits - high_bits, high_bits }
+        let rounds = if bits <= FEW_BITS { ROUNDS_OF_FEW } else { ROUNDS };
+        Self { random, count, low_bits: bits - high_bits, high_bits, rounds }
     }
 
     /// Where an index below the count is put. Any other might be walked about for ever.
@@ -41,16 +49,16 @@ impl Permutation {
     fn network(&self, index: u64) -> u64 {
         let mut low = index & mask(self.low_bits);
         let mut high = index >> self.low_bits;
-        for round in (0..ROUNDS).step_by(2) {
+        for round in (0..self.rounds).step_by(2) {
             high ^= self.bits(round, low) & mask(self.high_bits);
             low ^= self.bits(round + 1, high) & mask(self.low_bits);
         }
-        high << self.low_bits | low
+        (high << self.low_bits) | low
     }
 
     /// A number of the stream for each round and each value of a half, which has 26 bits at most.
     fn bits(&self, round: u64, half: u64) -> u64 {
-        self.random.bits_at(round << 32 | half)
+        self.random.bits_at((round << 32) | half)
     }
 }
 

@@ -1,4 +1,5 @@
-//! Sobol's sequence: points that fill a cube evenly, of which 2ᵏ in a row hit each of 2ᵏ equal cells of every dimension.
+//! Sobol's sequence: points that fill a cube evenly, of which the first 2ᵏ hit each of 2ᵏ equal cells of every
+//! dimension once.
 //!
 //! All points are shifted digit by digit: the bits of a coordinate are turned over where a random number of the seed
 //! has a one. This keeps how evenly the points lie, makes every coordinate of every point equally likely to be anywhere,
@@ -70,10 +71,9 @@ pub(super) struct Sobol {
 impl Sobol {
     /// The dimensions of those names, in their order; no more than there are direction numbers for.
     pub(super) fn all(seed: u64, names: &[&str]) -> Vec<Self> {
-        let shift = |name| Random::new(seed, &format!("sobol.{name}")).bits() >> (u64::BITS - BITS);
-        let dimension = |(entry, name): (&(u64, &[u64]), _)| Self {
-            directions: directions(entry.0, entry.1),
-            shift: shift(name),
+        let dimension = |((coefficients, first), name): (&(u64, &[u64]), &&str)| Self {
+            directions: directions(*coefficients, first),
+            shift: Random::new(seed, &format!("sobol.{name}")).bits() >> (u64::BITS - BITS),
         };
         TABLE.iter().zip(names).map(dimension).collect()
     }
@@ -98,9 +98,10 @@ fn directions(coefficients: u64, first: &[u64]) -> [u64; BITS as usize] {
         directions[index] = if index < degree {
             first[index] << (BITS as usize - 1 - index)
         } else {
-            let last = directions[index - degree];
-            let term = |power: usize| (coefficients >> (degree - 1 - power) & 1) * directions[index - power];
-            (1..degree).map(term).fold(last ^ (last >> degree), |sum, term| sum ^ term)
+            let oldest = directions[index - degree];
+            let term =
+                |power: usize| ((coefficients >> (degree - 1 - power)) & 1) * directions[index - power];
+            (1..degree).map(term).fold(oldest ^ (oldest >> degree), |sum, term| sum ^ term)
         };
     }
     directions

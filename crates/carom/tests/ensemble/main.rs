@@ -1,0 +1,11 @@
+//! Ensembles: what the rows draw.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod bits;
+mod distributions;
+mod errors;
+mod independent;
+mod kit;
+mod latin_hypercube;
+mod sobol;
