@@ -158,7 +158,7 @@ def ensemble(
     if rejected and invalid == "error":
         raise _rejected(rejected, native.runs)
     status = _words(words)[codes]
-    columns: dict[str, Any] = dict(zip(varied, native.inputs(0, native.runs).T, strict=True))
+    columns: dict[str, Any] = dict(zip(varied, native.inputs(0, native.runs), strict=True))
     has_outcomes = ~np.isin(status, ["rejected", "failed", "not_run"])
     columns |= {"status": status, **outcomes_of(scenario, native, numbers, has_outcomes)}
     for name, values in _called(native, scenario, functions, has_outcomes).items():
@@ -201,13 +201,16 @@ def _numbers(path: str, numbers: ArrayLike) -> NDArray[np.float64]:
 
 
 def outcomes_of(
-    scenario: Scenario, native: _engine.Ensemble, numbers: NDArray[np.float64], has_outcomes: NDArray[np.bool_]
+    scenario: Scenario,
+    native: _engine.Ensemble,
+    numbers: Sequence[NDArray[np.float64]],
+    has_outcomes: NDArray[np.bool_],
 ) -> dict[str, NDArray[Any]]:
     """Give the columns of outcomes by name, each as what it is."""
     pockets = _words([*(pocket["id"] for pocket in scenario.outline()["pockets"]), None])
     columns: dict[str, NDArray[Any]] = {}
     for place, (name, meaning) in enumerate(native.columns()):
-        column = numbers[:, place]
+        column = numbers[place]
         if meaning == "quantity":
             columns[name] = column
             continue

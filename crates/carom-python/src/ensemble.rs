@@ -3,7 +3,7 @@
 use crate::errors::{problem, scenario_error};
 use crate::scenario::Scenario;
 use carom::ensemble::{self, Design, Distribution, Ending, Inputs, Meaning, Outcome, Source};
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
@@ -12,6 +12,10 @@ type Varied<'py> = (String, String, PyReadonlyArray1<'py, f64>);
 
 /// A row that has no outcomes, and why.
 type Problems = Vec<(u64, String)>;
+
+/// The columns of outcomes, for each row the place of its ending's word, the words, the problems, whether a signal came.
+type Found<'py> =
+    (Vec<Bound<'py, PyArray1<f64>>>, Bound<'py, PyArray1<u8>>, Vec<&'static str>, Problems, bool);
 
 /// Many runs of one scenario with some of its numbers varied.
 #[pyclass(frozen, module = "carom._engine")]
@@ -63,18 +67,11 @@ impl Ensemble {
         self.0.columns().iter().map(|column| (column.name.clone(), meaning(column.meaning))).collect()
     }
 
-    /// The varied numbers of some rows, (n_rows, n_paths).
-    fn inputs<'py>(&self, py: Python<'py>, first: u64, end: u64) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let (inputs, rows) = (self.0.inputs(), self.rows(first, end)?);
-        let width = inputs.paths().len();
-        let count = (rows.end - rows.start) as usize;
-        let mut numbers = vec![0.0; count * width];
-        py.detach(|| {
-            if width > 0 {
-                numbers.chunks_mut(width).zip(rows).for_each(|(out, row)| inputs.fill(row, out));
-            }
-        });
-        PyArray1::from_vec(py, numbers).reshape([count, width])
+    /// The varied numbers of some rows, (n_rows,) for each path.
+    fn inputs<'py>(&self, py: Python<'py>, first: u64, end: u64) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
+        let rows = self.rows(first, end)?;
+        let columns = py.detach(|| self.0.inputs().columns(rows));
+        Ok(columns.into_iter().map(|column| PyArray1::from_vec(py, column)).collect())
     }
 
     /// The scenario of a row.
@@ -83,11 +80,10 @@ impl Ensemble {
         self.0.scenario(row).map(Scenario::new).map_err(scenario_error)
     }
 
-    /// Runs some rows without the interpreter's lock: the outcomes (n_rows, n_columns), for each row the place of the word
+    /// Runs some rows without the interpreter's lock: the columns of outcomes, for each row the place of the word
     /// for what became of it, the words, the problems of rows with their numbers, and whether a signal ended it early.
     ///
     /// Now and then `watch` is told how many rows are done; what is true ends it too.
-    #[allow(clippy::type_complexity)]
     fn run<'py>(
         &self,
         py: Python<'py>,
@@ -95,8 +91,7 @@ impl Ensemble {
         end: u64,
         threads: Option<usize>,
         watch: Option<Py<PyAny>>,
-    ) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>, Vec<&'static str>, Problems, bool)>
-    {
+    ) -> PyResult<Found<'py>> {
         let rows = self.rows(first, end)?;
         let mut raised = None;
         let mut look = |done: u64| {
@@ -119,9 +114,8 @@ impl Ensemble {
         }
         let mut words = Vec::new();
         let codes = table.endings.iter().map(|ending| code(*ending, &mut words)).collect();
-        let shape = [table.endings.len(), self.0.columns().len()];
-        let numbers = PyArray1::from_vec(py, table.numbers).reshape(shape)?;
-        Ok((numbers, PyArray1::from_vec(py, codes), words, table.problems, is_interrupted))
+        let columns = table.columns.into_iter().map(|column| PyArray1::from_vec(py, column)).collect();
+        Ok((columns, PyArray1::from_vec(py, codes), words, table.problems, is_interrupted))
     }
 }
 

@@ -127,21 +127,22 @@ class Sweep:
         needed("pyarrow", "data")
         parquet, folder = import_module("pyarrow.parquet"), Path(folder)
         self._begin(folder)
-        done, is_over = 0, False
+        done = 0
         with ThreadPoolExecutor(1) as writer:
+            # While a part is computed, the one before it is written.
             written: Future[None] | None = None
             for part, first, end in self._parts():
                 path = folder / _name(part)
                 if not path.exists():
-                    table = self._compute(first, end, threads, progress, done)
+                    outcome = self._compute(first, end, threads, progress, done)
                     if written is not None:
                         written.result()
-                    if table is None:
-                        is_over = True
+                        written = None
+                    if outcome is None:
                         break
-                    written = writer.submit(_write, parquet, table, path)
+                    written = writer.submit(self._write, parquet, (first, end), outcome, path)
                 done += end - first
-            if written is not None and not is_over:
+            if written is not None:
                 written.result()
         return self._result(parquet, folder)
 
@@ -152,13 +153,18 @@ class Sweep:
 
     def _compute(
         self, first: int, end: int, threads: int | None, progress: Progress | None, done: int
-    ) -> pyarrow.Table | None:
-        """Give the rows of a part, or None where it was ended early."""
+    ) -> tuple[Any, ...] | None:
+        """Give what the engine has of a part, or None where it was ended early."""
         watch = None if progress is None else lambda more: progress(done + more, self.rows)
         numbers, codes, words, problems, is_interrupted = self._native.run(first, end, threads, watch)
-        if is_interrupted or "not_run" in words:
-            return None
-        return self._table(first, end, (numbers, codes, words, problems))
+        return None if is_interrupted or "not_run" in words else (numbers, codes, words, problems)
+
+    def _write(self, parquet: Any, rows: tuple[int, int], outcome: tuple[Any, ...], path: Path) -> None:
+        table = self._table(*rows, outcome)
+        # Outcomes of chaos do not compress; words and counts, of which there are few, need not be written out.
+        few = [field.name for field in table.schema if str(field.type) != "double" and field.name != "row"]
+        with replacing(path, durable=True) as temporary:
+            parquet.write_table(table, temporary, use_dictionary=few, compression="none")
 
     def _table(self, first: int, end: int, outcome: tuple[Any, ...]) -> pyarrow.Table:
         import numpy as np
@@ -167,8 +173,8 @@ class Sweep:
         numbers, codes, words, problems = outcome
         inputs = self._native.inputs(first, end)
         columns: dict[str, Any] = {"row": np.arange(first, end)}
-        columns |= {path: inputs[:, place] for place, path in enumerate(self._plan.vary)}
-        arrays = {name: pyarrow.array(np.ascontiguousarray(column)) for name, column in columns.items()}
+        columns |= dict(zip(self._plan.vary, inputs, strict=True))
+        arrays = {name: pyarrow.array(column) for name, column in columns.items()}
         status = pyarrow.DictionaryArray.from_arrays(pyarrow.array(codes), pyarrow.array(words))
         arrays["status"] = status.cast(pyarrow.string())
         has_none = np.isin(codes, [words.index(word) for word in ("rejected", "failed") if word in words])
@@ -177,7 +183,7 @@ class Sweep:
                 arrays[name] = pyarrow.array(column, type=pyarrow.string())
             else:
                 mask = has_none if column.dtype.kind == "i" else None
-                arrays[name] = pyarrow.array(np.ascontiguousarray(column), mask=mask)
+                arrays[name] = pyarrow.array(column, mask=mask)
         texts: list[str | None] = [None] * (end - first)
         for row, text in problems:
             texts[row - first] = text
@@ -229,8 +235,3 @@ class Sweep:
 
 def _name(part: int) -> str:
     return f"part-{part:08d}.parquet"
-
-
-def _write(parquet: Any, table: pyarrow.Table, path: Path) -> None:
-    with replacing(path, durable=True) as temporary:
-        parquet.write_table(table, temporary, use_dictionary=["status"], compression="zstd", compression_level=1)

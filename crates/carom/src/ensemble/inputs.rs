@@ -2,6 +2,7 @@
 
 use super::{Design, Distribution, Draws};
 use crate::scenario::{Problem, ScenarioError};
+use core::ops::Range;
 
 /// Where the numbers at a varied path come from.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,15 +85,26 @@ impl Inputs {
         self.rows
     }
 
+    /// The numbers of some rows, a column for each path.
+    pub fn columns(&self, rows: Range<u64>) -> Vec<Vec<f64>> {
+        let column = |numbers: &Numbers| rows.clone().map(|row| self.number(numbers, row)).collect();
+        self.numbers.iter().map(column).collect()
+    }
+
     /// Puts down the numbers of a row, in the order of the paths.
     #[inline]
     pub fn fill(&self, row: u64, out: &mut [f64]) {
         for (out, numbers) in out.iter_mut().zip(&self.numbers) {
-            *out = match numbers {
-                Numbers::Given(given) => given[row as usize],
-                Numbers::Axis(axis, repeats) => axis[(row / repeats % axis.len() as u64) as usize],
-                Numbers::Drawn(distribution, place) => distribution.at(self.draws.unit(row, *place)),
-            };
+            *out = self.number(numbers, row);
+        }
+    }
+
+    #[inline]
+    fn number(&self, numbers: &Numbers, row: u64) -> f64 {
+        match numbers {
+            Numbers::Given(given) => given[row as usize],
+            Numbers::Axis(axis, repeats) => axis[(row / repeats % axis.len() as u64) as usize],
+            Numbers::Drawn(distribution, place) => distribution.at(self.draws.unit(row, *place)),
         }
     }
 }

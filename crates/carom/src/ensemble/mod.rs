@@ -14,7 +14,7 @@
 //! let ensemble = Ensemble::new(&scenario, inputs, &[Outcome::FinalPosition])?;
 //! let table = ensemble.run(0..3, None, &mut |_| false)?;
 //! assert_eq!(ensemble.columns()[0].name, "red.x");
-//! assert_eq!(table.numbers.len(), 3 * 4);
+//! assert_eq!(table.columns[0].len(), 3);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -14,7 +14,7 @@ use std::sync::{Mutex, PoisonError, mpsc};
 use thiserror::Error;
 
 /// Rows that a thread takes at once.
-const ROWS_AT_ONCE: usize = 64;
+const ROWS_AT_ONCE: usize = 128;
 
 /// Time between two looks at whether to break off.
 const PAUSE: Duration = Duration::from_millis(20);
@@ -51,8 +51,8 @@ pub enum Ending {
 /// Rows of outcomes.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// The outcomes row by row, in the order of the columns; not a number in rows without any.
-    pub numbers: Vec<f64>,
+    /// The columns of outcomes; not a number in rows without any.
+    pub columns: Vec<Vec<f64>>,
     /// What became of each row.
     pub endings: Vec<Ending>,
     /// Of each row that was rejected or failed its number and why, in the order of the rows.
@@ -126,9 +126,9 @@ impl Ensemble {
         threads: Option<usize>,
         watch: &mut dyn FnMut(u64) -> bool,
     ) -> Result<Table, EnsembleError> {
-        let (count, width) = ((rows.end - rows.start) as usize, self.layout.columns.len());
+        let count = (rows.end - rows.start) as usize;
         let mut table = Table {
-            numbers: vec![f64::NAN; count * width],
+            columns: vec![vec![f64::NAN; count]; self.layout.columns.len()],
             endings: vec![Ending::NotRun; count],
             problems: Vec::new(),
         };
@@ -138,7 +138,7 @@ impl Ensemble {
             let (tell, told) = mpsc::channel::<()>();
             let (shared, table, first) = (&shared, &mut table, rows.start);
             scope.spawn(move || {
-                pool.install(|| self.run_all(first, table, width, shared));
+                pool.install(|| self.run_all(first, table, shared));
                 drop(tell);
             });
             while told.recv_timeout(PAUSE) == Err(mpsc::RecvTimeoutError::Timeout) {
@@ -152,32 +152,49 @@ impl Ensemble {
         Ok(table)
     }
 
-    fn run_all(&self, first: u64, table: &mut Table, width: usize, shared: &Shared) {
-        let runner = || Runner::new(&self.template, &self.layout, &self.base, self.velocities.as_ref());
-        let begin = || (runner(), vec![0.0; self.inputs.paths().len()]);
-        // Where nothing is kept there are no numbers to part among the threads: each has an empty list of them.
-        let mut numbers: Vec<&mut [f64]> = if width == 0 {
-            table.endings.chunks(ROWS_AT_ONCE).map(|_| Default::default()).collect()
-        } else {
-            table.numbers.chunks_mut(width * ROWS_AT_ONCE).collect()
+    fn run_all(&self, first: u64, table: &mut Table, shared: &Shared) {
+        let begin = || Share {
+            runner: Runner::new(&self.template, &self.layout, &self.base, self.velocities.as_ref()),
+            inputs: vec![0.0; self.inputs.paths().len()],
+            outcomes: vec![0.0; self.layout.columns.len()],
         };
-        table.endings.par_chunks_mut(ROWS_AT_ONCE).zip(&mut numbers).enumerate().for_each_init(
+        let chunks = table.endings.len().div_ceil(ROWS_AT_ONCE);
+        let mut parts: Vec<Vec<&mut [f64]>> = (0..chunks).map(|_| Vec::new()).collect();
+        for column in &mut table.columns {
+            let part = column.chunks_mut(ROWS_AT_ONCE);
+            parts.iter_mut().zip(part).for_each(|(parts, part)| parts.push(part));
+        }
+        table.endings.par_chunks_mut(ROWS_AT_ONCE).zip(&mut parts).enumerate().for_each_init(
             begin,
-            |(runner, inputs), (chunk, (endings, numbers))| {
+            |share, (chunk, (endings, columns))| {
                 let first = first + (chunk * ROWS_AT_ONCE) as u64;
                 for (place, ending) in endings.iter_mut().enumerate() {
-                    if shared.is_over.load(Ordering::Relaxed) {
+                    if shared.is_over() {
                         return;
                     }
-                    let row = first + place as u64;
-                    self.inputs.fill(row, inputs);
-                    let out = &mut numbers[place * width..(place + 1) * width];
-                    *ending = shared.judge(row, runner.run(inputs, out, &|| shared.is_over()));
+                    *ending = self.run_row(first + place as u64, share, shared);
+                    if matches!(ending, Ending::Ended(_)) {
+                        let outcomes = columns.iter_mut().zip(&share.outcomes);
+                        outcomes.for_each(|(column, outcome)| column[place] = *outcome);
+                    }
                 }
                 shared.done.fetch_add(endings.len() as u64, Ordering::Relaxed);
             },
         );
     }
+
+    fn run_row(&self, row: u64, share: &mut Share<'_>, shared: &Shared) -> Ending {
+        let Share { runner, inputs, outcomes } = share;
+        self.inputs.fill(row, inputs);
+        shared.judge(row, runner.run(inputs, outcomes, &|| shared.is_over()))
+    }
+}
+
+/// What a thread has for itself.
+struct Share<'a> {
+    runner: Runner<'a>,
+    inputs: Vec<f64>,
+    outcomes: Vec<f64>,
 }
 
 /// What the threads share.
