@@ -101,11 +101,12 @@ pub(super) fn with_changes<P: AsRef<str>>(
     let mut findings = Findings::default();
     for (path, value) in values {
         let path = path.as_ref();
-        let under = expanded(&changed);
         let set = parse(path).and_then(|steps| {
             if !value.is_null() {
                 write_as_speed(&mut changed, &steps);
             }
+            // What is written already need not be looked for in the preset or the rack.
+            let under = if is_there(&changed, &steps) { None } else { expanded(&changed) };
             set(&mut changed, under.as_ref(), &steps, value).map_err(|message| Problem::new(path, message))
         });
         if let Err(problem) = set {
@@ -114,6 +115,11 @@ pub(super) fn with_changes<P: AsRef<str>>(
     }
     findings.into_result()?;
     Ok(changed)
+}
+
+fn is_there(value: &Value, steps: &[Step]) -> bool {
+    let step_on = |value, step| step_into(value, step).map(|(_, inner)| inner);
+    steps.iter().try_fold(value, step_on).is_some()
 }
 
 /// A scenario's value with its preset and its rack turned into plain keys, where it has one and can be read.
