@@ -157,6 +157,7 @@ def test_what_is_absent_is_absent_in_other_programs(tmp_path: Path) -> None:
         ({"balls.red.speed": carom.Normal(2, 0)}, {"runs": 2}, "standard_deviation: must be above 0, got 0"),
         ({"balls.red.speed": []}, {}, "no runs"),
         (carom.Grid({"balls.red.speed": []}), {}, "an axis of 0 numbers gives no grid"),
+        ({"balls.red.speed": [1.0]}, {"outcomes": ["closest_approach.red.bleu"]}, 'no ball "bleu"; did you mean blue'),
         ({"balls.red.speed": [1.0]}, {"outcomes": ["pockets"]}, "outcomes: pockets: is for balls on a cloth"),
         ({"balls.red.speed": [1.0]}, {"outcomes": ["end"]}, 'outcomes: unknown "end"; known: end_time, events'),
         ({"balls.red.speed": [1.0]}, {"design": "sobel"}, 'design: unknown "sobel"; known: independent'),
@@ -237,3 +238,19 @@ def test_gases_of_unlike_sizes_have_what_they_have_in_common() -> None:
     assert np.isnan(table["45.x"]).tolist() == [False, True]
     last = table.scenario_of(1).run()
     assert table["39.x"][1] == last.positions(last.end_time)[39, 0]
+
+
+def test_ways_on_a_cloth_are_those_of_many_states() -> None:
+    varied = {"shot.V0": [2.0, 8.0], "rack.seed": [1.0, 2.0]}
+    table = BREAK.ensemble(varied, ["distance", 'closest_approach.cue."1"', 'closest_approach."2"."3"'])
+    for row in range(2):
+        run = table.scenario_of(row).run()
+        radius = 0.028575
+        assert table['closest_approach.cue."1"'][row] == pytest.approx(2 * radius, rel=1e-9)
+        places = run.positions(np.linspace(0, run.end_time, 20_000))
+        for place, ball in enumerate(run.ball_ids):
+            pieces = np.linalg.norm(np.diff(places[:, place], axis=0), axis=1)
+            assert table[f"{ball}.distance"][row] == pytest.approx(np.nansum(pieces), rel=2e-3, abs=1e-4), ball
+        two, three = (places[:, run.ball_ids.index(ball)] for ball in ("2", "3"))
+        nearest = np.nanmin(np.linalg.norm(two - three, axis=1))
+        assert nearest - 2e-3 < table['closest_approach."2"."3"'][row] <= nearest + 1e-12

@@ -470,7 +470,8 @@ class Scenario:
         outcomes : sequence of str, optional
             What to keep of each run: ``end_time``; ``events``, the count of each kind; ``first_event`` and
             ``last_event``, their times; ``final_position`` and ``final_velocity`` of each ball; on a cloth
-            ``final_spin``, and ``pockets``, which each ball is in. The status is kept in any case.
+            ``final_spin``, and ``pockets``, which each ball is in; ``distance``, the length of each ball's way;
+            ``closest_approach.A.B`` of two balls, between their centres. The status is kept in any case.
         functions : mapping of str to callable, optional
             More columns: what these functions give for each `Run`. They take much longer, one run after the other.
         runs : int, optional

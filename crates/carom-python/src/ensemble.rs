@@ -35,8 +35,8 @@ impl Ensemble {
         outcomes: Vec<String>,
     ) -> PyResult<Self> {
         let design = named("design", design, Design::from_name, &Design::ALL.map(Design::name))?;
-        let of_name =
-            |name: &String| named("outcomes", name, Outcome::from_name, &Outcome::ALL.map(Outcome::name));
+        let known = [&Outcome::ALL.map(|outcome| outcome.name())[..], &["closest_approach.A.B"]].concat();
+        let of_name = |name: &String| named("outcomes", name, Outcome::from_name, &known);
         let outcomes: Vec<Outcome> = outcomes.iter().map(of_name).collect::<PyResult<_>>()?;
         let sources: Vec<(String, Source)> = varied
             .into_iter()

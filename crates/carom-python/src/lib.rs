@@ -48,7 +48,7 @@ mod _engine {
         module.add("PHYSICS_VERSION", carom::run::PHYSICS_VERSION)?;
         module.add("EVENT_KINDS", Kind::ALL.map(Kind::name))?;
         module.add("OBSERVABLES", carom::observe::NAMES)?;
-        module.add("OUTCOMES", Outcome::ALL.map(Outcome::name))?;
+        module.add("OUTCOMES", Outcome::ALL.map(|outcome| outcome.name()))?;
         module.add("MOTIONS", Motion::ALL.map(Motion::name))
     }
 }

@@ -28,6 +28,7 @@ mod permutation;
 mod run;
 mod runner;
 mod sobol;
+mod ways;
 
 pub use design::{Design, DesignError, Draws, MOST_ROWS};
 pub use distribution::{Distribution, DistributionError};

@@ -1,11 +1,13 @@
 //! What is kept of a run of an ensemble, as columns of numbers.
 
+use super::ways::Ways;
 use crate::flight::Motion;
 use crate::run::{Diagnostics, Dynamics, Event, Kind, Observer};
-use crate::scenario::{Problem, Scenario, ScenarioError};
+use crate::scenario::schema::Method;
+use crate::scenario::{Key, Problem, Scenario, ScenarioError, Step, parse, suggestion};
 
 /// Something about a run: one column, or one for each ball and component.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// When it ended.
     EndTime,
@@ -23,6 +25,10 @@ pub enum Outcome {
     FinalSpin,
     /// In which pocket each ball is; on a cloth only.
     Pockets,
+    /// How long the way of each ball was.
+    Distance,
+    /// How near the centres of two balls, by their names, came to each other while both were in play.
+    ClosestApproach([String; 2]),
 }
 
 /// What the numbers of a column are.
@@ -49,6 +55,8 @@ pub struct Column {
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     outcomes: Vec<Outcome>,
+    /// The pairs whose closest approach is asked for, in the order of the outcomes.
+    pub(super) pairs: Vec<[usize; 2]>,
     pub(super) columns: Vec<Column>,
     kinds: Vec<Kind>,
     /// Pockets are numbered after so many cushions.
@@ -63,13 +71,17 @@ pub(super) struct Kept {
     last_event: f64,
     /// Of each ball, the number of the pocket that it dropped into.
     pockets: Vec<f64>,
+    /// The ways of the balls, where an outcome needs them.
+    ways: Option<Ways>,
+    /// At the end, the length of each ball's way.
+    lengths: Vec<f64>,
     /// At the end, of each ball: how it moves where there is a cloth, place, velocity, spin.
     numbers: Vec<f64>,
 }
 
 impl Outcome {
-    /// Every outcome.
-    pub const ALL: [Self; 8] = [
+    /// Every outcome but those of pairs.
+    pub const ALL: [Self; 9] = [
         Self::EndTime,
         Self::Events,
         Self::FirstEvent,
@@ -78,10 +90,11 @@ impl Outcome {
         Self::FinalVelocity,
         Self::FinalSpin,
         Self::Pockets,
+        Self::Distance,
     ];
 
-    /// The word used on the shell and in Python.
-    pub fn name(self) -> &'static str {
+    /// The word used on the shell and in Python; that of a pair is followed by the names of both balls, as in a path.
+    pub fn name(&self) -> &'static str {
         match self {
             Self::EndTime => "end_time",
             Self::Events => "events",
@@ -91,16 +104,28 @@ impl Outcome {
             Self::FinalVelocity => "final_velocity",
             Self::FinalSpin => "final_spin",
             Self::Pockets => "pockets",
+            Self::Distance => "distance",
+            Self::ClosestApproach(_) => "closest_approach",
         }
     }
 
-    /// The outcome of that name.
+    /// The outcome of that name; "closest_approach.red.blue" is one of a pair.
     pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|outcome| outcome.name() == name)
+        let simple = Self::ALL.into_iter().find(|outcome| outcome.name() == name);
+        simple.or_else(|| match &parse(name).ok()?[..] {
+            [Step::Key(word), Step::Key(a), Step::Key(b)] if word == "closest_approach" => {
+                Some(Self::ClosestApproach([a.clone(), b.clone()]))
+            }
+            _ => None,
+        })
     }
 
-    fn needs_cloth(self) -> bool {
+    fn needs_cloth(&self) -> bool {
         matches!(self, Self::FinalSpin | Self::Pockets)
+    }
+
+    fn needs_ways(&self) -> bool {
+        matches!(self, Self::Distance | Self::ClosestApproach(_))
     }
 }
 
@@ -116,9 +141,15 @@ impl Layout {
             let message = format!("{}: is for balls on a cloth, and these are discs", outcome.name());
             return Err(Problem::new("outcomes", message).into());
         }
+        if let Some(outcome) = outcomes.iter().find(|outcome| outcome.needs_ways())
+            && scenario.method != Method::Exact
+        {
+            let message = format!("{}: the stepped method has no flights; use the exact one", outcome.name());
+            return Err(Problem::new("outcomes", message).into());
+        }
         let kinds: Vec<Kind> = Kind::ALL.into_iter().filter(|kind| kind.happens(is_on_cloth)).collect();
         let axes: &[&str] = if is_on_cloth { &["x", "y", "z"] } else { &["x", "y"] };
-        let mut columns = Vec::new();
+        let (mut columns, mut pairs) = (Vec::new(), Vec::new());
         for outcome in outcomes {
             let mut add = |name: String, meaning| columns.push(Column { name, meaning });
             let of_balls = |prefix: &'static str| {
@@ -139,9 +170,25 @@ impl Layout {
                     let ids = scenario.balls.iter().map(|ball| &ball.id);
                     ids.for_each(|id| add(format!("{id}.pocket"), Meaning::Pocket));
                 }
+                Outcome::Distance => {
+                    let ids = scenario.balls.iter().map(|ball| &ball.id);
+                    ids.for_each(|id| add(format!("{id}.distance"), Meaning::Quantity));
+                }
+                Outcome::ClosestApproach(balls) => {
+                    pairs.push(pair_of(&scenario, balls)?);
+                    let [a, b] = balls;
+                    add(format!("closest_approach.{}.{}", Key(a), Key(b)), Meaning::Quantity);
+                }
             }
         }
-        Ok(Self { outcomes: outcomes.to_vec(), columns, kinds, cushions: f64::from(cushions), is_on_cloth })
+        Ok(Self {
+            outcomes: outcomes.to_vec(),
+            pairs,
+            columns,
+            kinds,
+            cushions: f64::from(cushions),
+            is_on_cloth,
+        })
     }
 
     /// Fills a row with what is known at the end of a run.
@@ -152,6 +199,7 @@ impl Layout {
                 *place = number;
             }
         };
+        let mut pair = 0..;
         for outcome in &self.outcomes {
             match outcome {
                 Outcome::EndTime => put(end_time),
@@ -166,7 +214,25 @@ impl Layout {
                 Outcome::Pockets => {
                     kept.pockets.iter().for_each(|pocket| put((pocket - self.cushions).max(-1.0)));
                 }
+                Outcome::Distance => kept.lengths.iter().for_each(|length| put(*length)),
+                Outcome::ClosestApproach(_) => {
+                    let nearest = |ways: &Ways| pair.next().map_or(f64::NAN, |pair| ways.nearest(pair));
+                    put(kept.ways.as_ref().map_or(f64::NAN, nearest));
+                }
             }
+        }
+    }
+
+    /// What has to be kept for these outcomes.
+    pub(super) fn kept(&self) -> Kept {
+        let needs_ways = self.outcomes.iter().any(Outcome::needs_ways);
+        Kept {
+            first_event: f64::NAN,
+            last_event: f64::NAN,
+            pockets: Vec::new(),
+            ways: needs_ways.then(Ways::default),
+            lengths: Vec::new(),
+            numbers: Vec::new(),
         }
     }
 
@@ -187,23 +253,26 @@ impl Layout {
 }
 
 impl Kept {
-    /// Nothing yet.
-    pub(super) fn new() -> Self {
-        Self { first_event: f64::NAN, last_event: f64::NAN, pockets: Vec::new(), numbers: Vec::new() }
-    }
-
-    /// Nothing again, of so many balls.
-    pub(super) fn clear(&mut self, balls: usize) {
+    /// Nothing again, of so many balls, of which these pairs are watched.
+    pub(super) fn clear(&mut self, balls: usize, pairs: &[[usize; 2]]) {
         (self.first_event, self.last_event) = (f64::NAN, f64::NAN);
         self.pockets.clear();
         self.pockets.resize(balls, f64::NEG_INFINITY);
+        if let Some(ways) = &mut self.ways {
+            ways.clear(balls, pairs);
+        }
     }
 
     /// Keeps the states at the end.
-    pub(super) fn keep_end<D: Dynamics<f64>>(&mut self, states: impl Iterator<Item = D::State>) {
+    pub(super) fn keep_end<D: Dynamics<f64>>(&mut self, time: f64, states: impl Iterator<Item = D::State>) {
         self.numbers.clear();
         for state in states {
             self.numbers.extend(D::numbers(&state));
+        }
+        if let Some(ways) = &mut self.ways {
+            ways.end_all(time);
+            self.lengths.clear();
+            self.lengths.extend_from_slice(ways.lengths());
         }
     }
 
@@ -213,7 +282,7 @@ impl Kept {
             return;
         }
         let width = self.numbers.len() / own.len().max(1);
-        let (mut numbers, mut pockets) = (Vec::new(), Vec::new());
+        let (mut numbers, mut pockets, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
         for id in ids {
             let place = own.iter().position(|own| own == id);
             match place {
@@ -221,8 +290,9 @@ impl Kept {
                 None => numbers.resize(numbers.len() + width, f64::NAN),
             }
             pockets.push(place.map_or(f64::NEG_INFINITY, |place| self.pockets[place]));
+            lengths.push(place.and_then(|place| self.lengths.get(place)).copied().unwrap_or(f64::NAN));
         }
-        (self.numbers, self.pockets) = (numbers, pockets);
+        (self.numbers, self.pockets, self.lengths) = (numbers, pockets, lengths);
     }
 
     /// Takes in what happened.
@@ -237,6 +307,23 @@ impl Kept {
     }
 }
 
+/// The places of two balls.
+fn pair_of(scenario: &Scenario, balls: &[String; 2]) -> Result<[usize; 2], ScenarioError> {
+    let refuse =
+        |message: String| Err(Problem::new("outcomes", format!("closest_approach: {message}")).into());
+    if scenario.table.periodic() != [false; 2] {
+        return refuse("is not for tables with periodic sides".into());
+    }
+    let ids: Vec<&str> = scenario.balls.iter().map(|ball| ball.id.as_str()).collect();
+    let place = |id: &String| ids.iter().position(|known| known == id);
+    match [place(&balls[0]), place(&balls[1])] {
+        [Some(a), Some(b)] if a != b => Ok([a, b]),
+        [Some(_), Some(_)] => refuse(format!("names {:?} twice", balls[0])),
+        [None, _] => refuse(format!("there is no ball {:?}{}", balls[0], suggestion(&balls[0], &ids))),
+        [_, None] => refuse(format!("there is no ball {:?}{}", balls[1], suggestion(&balls[1], &ids))),
+    }
+}
+
 impl<D: Dynamics<f64>> Observer<f64, D> for Kept {
     #[inline(always)]
     fn event(&mut self, event: &Event<f64>) {
@@ -244,5 +331,9 @@ impl<D: Dynamics<f64>> Observer<f64, D> for Kept {
     }
 
     #[inline(always)]
-    fn flight(&mut self, _: usize, _: &D::Flight) {}
+    fn flight(&mut self, ball: usize, flight: &D::Flight) {
+        if let Some(ways) = &mut self.ways {
+            ways.begin::<D>(ball, flight);
+        }
+    }
 }

@@ -41,7 +41,8 @@ impl<'a> Runner<'a> {
         velocities: Option<&Velocities>,
     ) -> Self {
         let ball_ids: Vec<String> = base.expanded().balls.iter().map(|ball| ball.id.clone()).collect();
-        let mut kept = Kept::new();
+        let mut kept = layout.kept();
+        kept.clear(ball_ids.len(), &layout.pairs);
         let again = velocities.map(|velocities| {
             let system = Arc::new(<Plane as Dynamics<f64>>::system(base));
             (velocities.clone(), Simulation::new(system, limits_of(base, None), &mut kept))
@@ -56,7 +57,7 @@ impl<'a> Runner<'a> {
         out: &mut [f64],
         interrupted: &dyn Fn() -> bool,
     ) -> Result<Option<Status>, RowError> {
-        self.kept.clear(self.ball_ids.len());
+        self.kept.clear(self.ball_ids.len(), &self.layout.pairs);
         if let Some((velocities, simulation)) = &mut self.again
             && velocities.set(numbers)
         {
@@ -86,12 +87,13 @@ impl<'a> Runner<'a> {
                 return Ok(None);
             }
             run.log.events.iter().for_each(|event| self.kept.note(event));
-            self.kept.keep_end::<D>(run.final_state().into_iter());
+            self.kept.keep_end::<D>(run.end_time, run.final_state().into_iter());
             self.layout.fill(out, run.end_time, &run.diagnostics, &self.kept);
             return Ok(Some(run.status));
         }
         let system = Arc::new(D::system(scenario));
-        self.kept.clear(D::ball_ids(&system).len());
+        let own = D::ball_ids(&system);
+        self.kept.clear(own.len(), &self.pairs_among(own));
         let mut simulation: SimulationOf<D> =
             Simulation::new(system, limits_of(scenario, None), &mut self.kept);
         let status = go_on::<D>(&mut simulation, &mut self.kept, interrupted)?;
@@ -100,6 +102,17 @@ impl<'a> Runner<'a> {
             self.layout.fill(out, simulation.time(), simulation.diagnostics(), &self.kept);
         }
         Ok(status)
+    }
+}
+
+impl Runner<'_> {
+    /// The watched pairs in another order of the balls.
+    fn pairs_among(&self, own: &[String]) -> Vec<[usize; 2]> {
+        if own == self.ball_ids {
+            return self.layout.pairs.clone();
+        }
+        let place = |ball: usize| own.iter().position(|id| *id == self.ball_ids[ball]).unwrap_or(usize::MAX);
+        self.layout.pairs.iter().map(|pair| pair.map(place)).collect()
     }
 }
 
@@ -114,6 +127,6 @@ fn go_on<D: Simulated>(
             return Ok(None);
         }
     }
-    kept.keep_end::<D>(simulation.states());
+    kept.keep_end::<D>(simulation.time(), simulation.states());
     Ok(simulation.status())
 }

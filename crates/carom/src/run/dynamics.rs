@@ -34,6 +34,9 @@ pub trait Dynamics<S: Scalar>: Clone + Debug + PartialEq + Send + Sync + 'static
     /// When a flight begins.
     fn start(flight: &Self::Flight) -> S;
 
+    /// Place, velocity and acceleration at the start of a flight, in space; a place that is none where the ball is out of play.
+    fn course(flight: &Self::Flight) -> [Vec3<S>; 3];
+
     /// A ball's last flight with all the way that led to it, which on a periodic table is kept beside it.
     fn last_flight(_: &Self::System, (flight, _): &(Self::Flight, Self::Track)) -> Self::Flight {
         *flight
@@ -87,6 +90,10 @@ impl<S: Scalar> Dynamics<S> for Plane {
 
     fn start(flight: &Flight<S>) -> S {
         flight.start
+    }
+
+    fn course(flight: &Flight<S>) -> [Vec3<S>; 3] {
+        [flight.position, flight.velocity, flight.acceleration].map(|vector| Vec3::above(vector, S::ZERO))
     }
 
     fn last_flight(system: &System<S>, (flight, track): &(Flight<S>, Track<S>)) -> Flight<S> {
@@ -191,6 +198,13 @@ impl<S: Scalar> Dynamics<S> for OnCloth {
 
     fn start(flight: &SphereFlight<S>) -> S {
         flight.start()
+    }
+
+    fn course(flight: &SphereFlight<S>) -> [Vec3<S>; 3] {
+        let position = flight.position_after(S::ZERO);
+        let nowhere = position * S::from_f64(f64::NAN);
+        let position = if flight.motion.is_out() { nowhere } else { position };
+        [position, flight.velocity_after(S::ZERO), flight.acceleration()]
     }
 
     fn state_at(flight: &SphereFlight<S>, time: S) -> SphereState<S> {

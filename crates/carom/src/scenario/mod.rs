@@ -32,6 +32,7 @@ pub use layout::Number;
 pub(crate) use nearest::suggestion;
 pub use parse::value_of_toml;
 pub use path::Key;
+pub(crate) use path::{Step, parse};
 pub use problem::{Problem, ScenarioError};
 pub use schema::Scenario;
 pub use shot::{CueStart, ShotStart};

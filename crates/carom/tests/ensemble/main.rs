@@ -1,4 +1,4 @@
-//! Ensembles: what the rows draw.
+//! Ensembles: what the rows draw, and what they are.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -8,4 +8,5 @@ mod errors;
 mod independent;
 mod kit;
 mod latin_hypercube;
+mod runs;
 mod sobol;
