@@ -238,6 +238,10 @@ def test_gases_of_unlike_sizes_have_what_they_have_in_common() -> None:
     assert np.isnan(table["45.x"]).tolist() == [False, True]
     last = table.scenario_of(1).run()
     assert table["39.x"][1] == last.positions(last.end_time)[39, 0]
+    walled = gas.with_values({"gas.periodic": []})
+    table = walled.ensemble({"gas.n": [50, 40]}, ['closest_approach."1"."45"', "distance"])
+    assert np.isnan(table['closest_approach."1"."45"']).tolist() == [False, True]
+    assert (table["1.distance"] > 0).all()
 
 
 def test_ways_on_a_cloth_are_those_of_many_states() -> None:

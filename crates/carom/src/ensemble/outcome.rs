@@ -3,7 +3,7 @@
 use super::ways::Ways;
 use crate::flight::Motion;
 use crate::run::{Diagnostics, Dynamics, Event, Kind, Observer};
-use crate::scenario::schema::Method;
+use crate::scenario::schema::{Ball, Method};
 use crate::scenario::{Key, Problem, Scenario, ScenarioError, Step, parse, suggestion};
 
 /// Something about a run: one column, or one for each ball and component.
@@ -149,37 +149,34 @@ impl Layout {
         }
         let kinds: Vec<Kind> = Kind::ALL.into_iter().filter(|kind| kind.happens(is_on_cloth)).collect();
         let axes: &[&str] = if is_on_cloth { &["x", "y", "z"] } else { &["x", "y"] };
+        let vector = |prefix: &str| axes.iter().map(|axis| format!("{prefix}{axis}")).collect::<Vec<_>>();
+        let of_balls = |suffixes: &[String]| -> Vec<String> {
+            let of_ball =
+                |ball: &Ball| suffixes.iter().map(|suffix| format!("{}.{suffix}", ball.id)).collect();
+            scenario.balls.iter().flat_map::<Vec<String>, _>(of_ball).collect()
+        };
         let (mut columns, mut pairs) = (Vec::new(), Vec::new());
         for outcome in outcomes {
-            let mut add = |name: String, meaning| columns.push(Column { name, meaning });
-            let of_balls = |prefix: &'static str| {
-                let ids = scenario.balls.iter().map(|ball| &ball.id);
-                ids.flat_map(move |id| axes.iter().map(move |axis| format!("{id}.{prefix}{axis}")))
-            };
-            match outcome {
+            let (names, meaning) = match outcome {
                 Outcome::EndTime | Outcome::FirstEvent | Outcome::LastEvent => {
-                    add(outcome.name().into(), Meaning::Quantity);
+                    (vec![outcome.name().into()], Meaning::Quantity)
                 }
                 Outcome::Events => {
-                    kinds.iter().for_each(|kind| add(format!("events.{}", kind.name()), Meaning::Count));
+                    let name = |kind: &Kind| format!("events.{}", kind.name());
+                    (kinds.iter().map(name).collect(), Meaning::Count)
                 }
-                Outcome::FinalPosition => of_balls("").for_each(|name| add(name, Meaning::Quantity)),
-                Outcome::FinalVelocity => of_balls("v").for_each(|name| add(name, Meaning::Quantity)),
-                Outcome::FinalSpin => of_balls("w").for_each(|name| add(name, Meaning::Quantity)),
-                Outcome::Pockets => {
-                    let ids = scenario.balls.iter().map(|ball| &ball.id);
-                    ids.for_each(|id| add(format!("{id}.pocket"), Meaning::Pocket));
-                }
-                Outcome::Distance => {
-                    let ids = scenario.balls.iter().map(|ball| &ball.id);
-                    ids.for_each(|id| add(format!("{id}.distance"), Meaning::Quantity));
-                }
+                Outcome::FinalPosition => (of_balls(&vector("")), Meaning::Quantity),
+                Outcome::FinalVelocity => (of_balls(&vector("v")), Meaning::Quantity),
+                Outcome::FinalSpin => (of_balls(&vector("w")), Meaning::Quantity),
+                Outcome::Pockets => (of_balls(&["pocket".into()]), Meaning::Pocket),
+                Outcome::Distance => (of_balls(&["distance".into()]), Meaning::Quantity),
                 Outcome::ClosestApproach(balls) => {
                     pairs.push(pair_of(&scenario, balls)?);
                     let [a, b] = balls;
-                    add(format!("closest_approach.{}.{}", Key(a), Key(b)), Meaning::Quantity);
+                    (vec![format!("closest_approach.{}.{}", Key(a), Key(b))], Meaning::Quantity)
                 }
-            }
+            };
+            columns.extend(names.into_iter().map(|name| Column { name, meaning }));
         }
         Ok(Self {
             outcomes: outcomes.to_vec(),

@@ -74,8 +74,11 @@ impl Ways {
         let leg = self.legs[ball];
         self.lengths[ball] += leg.length(time - leg.start);
         for pair in self.pairs.iter_mut().filter(|pair| pair.balls.contains(&ball)) {
-            let [a, b] = pair.balls.map(|ball| self.legs[ball].from(pair.until));
-            pair.squared = pair.squared.min(a.nearest_squared(&b, time - pair.until));
+            // A row may lack a ball that others have.
+            if let [Some(a), Some(b)] = pair.balls.map(|ball| self.legs.get(ball)) {
+                let nearest = a.from(pair.until).nearest_squared(&b.from(pair.until), time - pair.until);
+                pair.squared = pair.squared.min(nearest);
+            }
             pair.until = time;
         }
     }
