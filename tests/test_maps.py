@@ -39,7 +39,9 @@ def mesh_of(ax: Axes) -> Any:
 
 
 def cells_of(ax: Axes) -> Any:
-    return mesh_of(ax).get_array()
+    """Give what the cells show, a row for each row of cells; older matplotlib keeps it flat."""
+    rows, columns = (corners - 1 for corners in mesh_of(ax).get_coordinates().shape[:2])
+    return mesh_of(ax).get_array().reshape(rows, columns)
 
 
 def colour_at(ax: Axes, row: int, column: int) -> str:
