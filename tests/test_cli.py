@@ -624,7 +624,7 @@ def test_bench_gives_a_median(tmp_path: Path) -> None:
 def test_version_and_help() -> None:
     assert fine("--version").strip() == f"carom {carom.__version__}"
     assert fine("--cite") == carom.citation() + "\n"
-    for command in ("run", "compare", "check", "verify", "scenarios", "schema", "bench"):
+    for command in ("run", "compare", "check", "verify", "scenarios", "schema", "bench", "map"):
         printed = fine(command, "--help")
         assert f"carom {command}" in printed.split("For example:")[1]
         assert ESCAPE not in printed

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from carom import _engine
-from carom.columns import ColumnTable, column_of
+from carom.columns import ColumnTable, column_of, read_only
 from carom.errors import ScenarioError
 
 if TYPE_CHECKING:
     import numpy as np
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 
     from carom.run import Run
@@ -30,6 +31,12 @@ Progress = Callable[[int, int], object]
 
 NAMED_AT_MOST = 3
 """So many rejected rows are named in an error."""
+
+WITHOUT_OUTCOMES = ("rejected", "failed", "not_run")
+"""The statuses of rows that have no outcomes."""
+
+OUTCOMES = ("end_time", "events", "first_event", "last_event", "final_position", "final_velocity")
+OUTCOMES_ON_CLOTH = ("final_spin", "pockets")
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +72,7 @@ class Grid(Mapping[str, Any]):
     """
 
     def __init__(self, axes: Mapping[str, ArrayLike]) -> None:
-        self._axes = {path: _numbers(path, axis) for path, axis in axes.items()}
+        self._axes = {path: read_only(_numbers(path, axis)) for path, axis in axes.items()}
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -101,17 +108,27 @@ class Ensemble(ColumnTable):
     ----------
     is_complete : bool
         Whether every row was run.
+    grid : Grid or None
+        The grid that the rows are on, where they are on one.
     """
 
     is_complete: bool
+    grid: Grid | None
 
     def __init__(
-        self, scenario: Scenario, native: _engine.Ensemble, columns: Mapping[str, Any], *, is_complete: bool
+        self,
+        scenario: Scenario,
+        native: _engine.Ensemble,
+        columns: Mapping[str, Any],
+        *,
+        is_complete: bool,
+        grid: Grid | None = None,
     ) -> None:
         super().__init__(columns)
         self._scenario = scenario
         self._native = native
         self.is_complete = is_complete
+        self.grid = grid
 
     @property
     def scenario(self) -> Scenario:
@@ -127,6 +144,27 @@ class Ensemble(ColumnTable):
             When the numbers of the row make no scenario.
         """
         return type(self._scenario)._of(self._native.scenario(row))
+
+    @property
+    def has_outcome(self) -> NDArray[np.bool_]:
+        """Which rows have outcomes, (n_runs,): those that were neither rejected nor failed nor left."""
+        found: NDArray[np.bool_] = ~np.isin(self["status"], WITHOUT_OUTCOMES)
+        return found
+
+    def map(self, column: str, x: str | None = None, y: str | None = None, ax: Axes | None = None) -> Axes:
+        """Draw a column of an ensemble on a grid of two axes, a cell for each run; see `carom.figures.plot_map`.
+
+        Examples
+        --------
+        >>> import carom
+        >>> grid = carom.Grid({"balls.red.speed": [4, 5], "balls.red.direction_deg": [40, 50, 60]})
+        >>> axes = carom.load("midterm").ensemble(grid, ["events"]).map("events.ball_ball")
+        >>> axes.get_xlabel(), [text.get_text() for text in axes.get_legend().get_texts()]
+        ('balls.red.direction_deg', ['1', '2'])
+        """
+        from carom import figures
+
+        return figures.plot_map(self, column, x=x, y=y, ax=ax)
 
     def _exported(self) -> dict[str, NDArray[Any]]:
         columns, counts = self.to_dict(), (name for name, meaning in self._native.columns() if meaning == "count")
@@ -159,7 +197,7 @@ def ensemble(
         raise _rejected(rejected, native.runs)
     status = _words(words)[codes]
     columns: dict[str, Any] = dict(zip(varied, native.inputs(0, native.runs), strict=True))
-    has_outcomes = ~np.isin(status, ["rejected", "failed", "not_run"])
+    has_outcomes = ~np.isin(status, WITHOUT_OUTCOMES)
     columns |= {"status": status, **outcomes_of(scenario, native, numbers, has_outcomes)}
     for name, values in _called(native, scenario, functions, has_outcomes).items():
         columns[name] = column_of(values)
@@ -167,7 +205,8 @@ def ensemble(
         columns["problem"] = np.full(native.runs, None, dtype=object)
         columns["problem"][[row for row, _ in problems]] = [text for _, text in problems]
     is_complete = not is_interrupted and "not_run" not in words
-    return Ensemble(scenario, native, columns, is_complete=is_complete)
+    grid = varied if isinstance(varied, Grid) else None
+    return Ensemble(scenario, native, columns, is_complete=is_complete, grid=grid)
 
 
 def native_ensemble(
@@ -177,6 +216,13 @@ def native_ensemble(
     is_grid = isinstance(varied, Grid)
     sources = [(path, *_source(path, numbers, is_grid=is_grid)) for path, numbers in varied.items()]
     return _engine.Ensemble(scenario._native, sources, runs, design, seed, list(outcomes))
+
+
+def columns_of(scenario: Scenario, grid: Grid) -> dict[str, list[str]]:
+    """Give the columns of each outcome that a scenario has."""
+    names = OUTCOMES + (OUTCOMES_ON_CLOTH if scenario.is_on_cloth else ())
+    made = {name: native_ensemble(scenario, grid, [name], runs=None, design="independent", seed=0) for name in names}
+    return {name: [column for column, _ in native.columns()] for name, native in made.items()}
 
 
 def _source(path: str, numbers: Any, *, is_grid: bool) -> tuple[str, NDArray[np.float64]]:

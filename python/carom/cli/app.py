@@ -13,6 +13,7 @@ from carom.cli.bench import bench
 from carom.cli.check import check, verify
 from carom.cli.compare import compare
 from carom.cli.gas import gas
+from carom.cli.map import map_
 from carom.cli.resume import resume
 from carom.cli.run import run
 from carom.cli.scenarios import scenarios, schema
@@ -93,6 +94,10 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
     ],
     resume: ["carom resume out/gas", "carom resume out/gas --duration 20"],
     sweep: ["carom sweep my_sweep.toml --out out/sweep"],
+    map_: [
+        "carom map midterm --x balls.red.direction_deg=0:90:300 --y balls.red.speed=0:3:300 --show blue.x",
+        "carom map nine_ball_break --x shot.phi_deg=95:98:30 --y shot.V0=6:9:20 --show 1.pocket --out out/map",
+    ],
     check: ["carom check my.toml"],
     verify: ["carom verify out/mine/run.json"],
     scenarios: ["carom scenarios", "carom scenarios --copy stadium stadium.toml"],
@@ -102,4 +107,7 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
 
 for command, examples in EXAMPLES.items():
     # The mark \b keeps the line ends of a paragraph.
-    app.command(epilog="\n".join(["\b", "For example:", *(f"  {example}" for example in examples)]))(command)
+    app.command(
+        command.__name__.rstrip("_"),
+        epilog="\n".join(["\b", "For example:", *(f"  {example}" for example in examples)]),
+    )(command)

@@ -7,6 +7,7 @@ returns where it drew. `save_figure` writes PNG, PDF or SVG.
 from carom.figures.distance import plot_distance
 from carom.figures.errors import plot_errors
 from carom.figures.filmstrip import filmstrip
+from carom.figures.maps import plot_map
 from carom.figures.overlay import plot_overlay
 from carom.figures.paths import plot_paths
 from carom.figures.scenario import plot_scenario
@@ -21,6 +22,7 @@ __all__ = [
     "plot_energy",
     "plot_errors",
     "plot_height",
+    "plot_map",
     "plot_momentum",
     "plot_overlay",
     "plot_paths",
