@@ -35,8 +35,11 @@ NAMED_AT_MOST = 3
 WITHOUT_OUTCOMES = ("rejected", "failed", "not_run")
 """The statuses of rows that have no outcomes."""
 
-OUTCOMES = ("end_time", "events", "first_event", "last_event", "final_position", "final_velocity")
-OUTCOMES_ON_CLOTH = ("final_spin", "pockets")
+ON_CLOTH = ("final_spin", "pockets")
+"""The outcomes of balls on a cloth only."""
+
+OF_FLIGHTS = ("distance",)
+"""The outcomes that the stepped method does not have."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,8 +222,10 @@ def native_ensemble(
 
 
 def columns_of(scenario: Scenario, grid: Grid) -> dict[str, list[str]]:
-    """Give the columns of each outcome that a scenario has."""
-    names = OUTCOMES + (OUTCOMES_ON_CLOTH if scenario.is_on_cloth else ())
+    """Give the columns of each outcome that a scenario has, but those of pairs."""
+    is_stepped = scenario.to_dict().get("method", {}).get("kind") == "stepped"
+    missing = {*(() if scenario.is_on_cloth else ON_CLOTH), *(OF_FLIGHTS if is_stepped else ())}
+    names = [name for name in _engine.OUTCOMES if name not in missing]
     made = {name: native_ensemble(scenario, grid, [name], runs=None, design="independent", seed=0) for name in names}
     return {name: [column for column, _ in native.columns()] for name, native in made.items()}
 

@@ -112,6 +112,8 @@ def _outcomes_of(scenario: Scenario, grid: Grid, column: str) -> list[str]:
 
     if column == "status":
         return []
+    if column.startswith("closest_approach."):
+        return [column]
     columns = columns_of(scenario, grid)
     for outcome, names in columns.items():
         if column in names:
