@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from carom.gases import gas
     from carom.library import presets, scenarios
     from carom.method import Exact, Stepped
+    from carom.noise import ExecutionNoise, Success
     from carom.observables import Curve, Observable, Observables, Quantity
     from carom.observing import resume
     from carom.physics import (
@@ -118,6 +119,7 @@ _HOMES = {
         "Restitution",
         "StrongeCompliant",
     ],
+    "noise": ["ExecutionNoise", "Success"],
     "observables": ["Curve", "Observable", "Observables", "Quantity"],
     "observing": ["resume"],
     "rack": ["Rack"],
@@ -153,6 +155,7 @@ __all__ = [
     "EventStream",
     "EventTable",
     "Exact",
+    "ExecutionNoise",
     "FallingFriction",
     "Field",
     "Free",
@@ -189,6 +192,7 @@ __all__ = [
     "StepComparison",
     "Stepped",
     "StrongeCompliant",
+    "Success",
     "Sweep",
     "SweepResult",
     "Table",

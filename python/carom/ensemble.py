@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
@@ -52,10 +53,12 @@ class Uniform:
 
 @dataclass(frozen=True, slots=True)
 class Normal:
-    """A number that is drawn anew for each run, from a normal distribution."""
+    """A number that is drawn anew for each run, from what of a normal distribution lies between two bounds."""
 
     mean: float
     standard_deviation: float
+    low: float = -math.inf
+    high: float = math.inf
 
 
 class Grid(Mapping[str, Any]):
@@ -235,8 +238,9 @@ def _source(path: str, numbers: Any, *, is_grid: bool) -> tuple[str, NDArray[np.
     match numbers:
         case Uniform(low, high):
             return "uniform", np.array([low, high], dtype=np.float64)
-        case Normal(mean, standard_deviation):
-            return "normal", np.array([mean, standard_deviation], dtype=np.float64)
+        case Normal(mean, standard_deviation, low, high):
+            bounds = [] if (low, high) == (-math.inf, math.inf) else [low, high]
+            return "normal", np.array([mean, standard_deviation, *bounds], dtype=np.float64)
         case _:
             return "axis" if is_grid else "given", _numbers(path, numbers)
 

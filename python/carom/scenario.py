@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from carom.ensemble import Progress as EnsembleProgress
     from carom.events import Event
     from carom.method import Method
+    from carom.noise import ExecutionNoise, Goal, Success
     from carom.observables import Progress, Request
     from carom.physics import Physics
     from carom.rack import Rack
@@ -519,6 +520,56 @@ class Scenario:
             invalid=invalid,
             progress=progress,
         )
+
+    def success(
+        self,
+        goal: Goal,
+        noise: ExecutionNoise,
+        *,
+        runs: int = 1000,
+        outcomes: Sequence[str] = ("pockets",),
+        seed: int = 0,
+        level: float = 0.95,
+        threads: int | None = None,
+    ) -> Success:
+        """Tell how likely this shot meets a goal, played by someone whose strokes scatter.
+
+        Parameters
+        ----------
+        goal : str or callable
+            A ball that is to be in a pocket while the cue ball is not; or a function that gets the `Ensemble` of the
+            runs and gives (n_runs,) booleans.
+        noise : ExecutionNoise
+            How far the strokes scatter.
+        runs : int, optional
+            How many strokes to try.
+        outcomes : sequence of str, optional
+            The outcomes that a function needs; see `ensemble`.
+        seed : int, optional
+            The seed of the strokes.
+        level : float, optional
+            How sure the interval is, between 0 and 1.
+        threads : int, optional
+            On how many threads; absent: as many as there are cores.
+
+        Raises
+        ------
+        ScenarioError
+            When there is no shot, or no such ball.
+        TypeError
+            When a function gives no booleans.
+
+        Examples
+        --------
+        >>> import carom
+        >>> noise = carom.ExecutionNoise.preset("pool_tournament")
+        >>> pot = carom.load("two_ball_shot").success("1", noise, runs=200)
+        >>> 0 <= pot.low <= pot.probability <= pot.high <= 1
+        True
+        """
+        from carom.noise import success
+
+        return success(self, goal, noise, runs=runs, outcomes=outcomes, seed=seed, level=level, threads=threads)
 
     def start(
         self,

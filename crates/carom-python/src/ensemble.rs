@@ -156,6 +156,9 @@ fn source(kind: &str, numbers: Vec<f64>) -> PyResult<Source> {
         ("normal", &[mean, standard_deviation]) => {
             Source::Drawn(Distribution::Normal { mean, standard_deviation })
         }
+        ("normal", &[mean, standard_deviation, low, high]) => {
+            Source::Drawn(Distribution::TruncatedNormal { mean, standard_deviation, low, high })
+        }
         _ => return Err(PyValueError::new_err(format!("unknown kind {kind:?}"))),
     })
 }

@@ -5,7 +5,7 @@
 //! M. J. Wichura, *Algorithm AS 241: the percentage points of the normal distribution*, Applied Statistics 37 (1988)
 //! 477–484: its routine PPND16, ratios of polynomials of degree seven in three ranges.
 
-use crate::scalar::ln;
+use crate::scalar::{complementary_error_function, ln};
 
 /// A polynomial's coefficients, the constant one first.
 type Polynomial = [f64; 8];
@@ -27,6 +27,11 @@ pub(super) fn normal_quantile(probability: f64) -> f64 {
     let distance =
         if depth <= NEAR_TAIL { ratio(&NEAR, depth - 1.6) } else { ratio(&FAR, depth - NEAR_TAIL) };
     if from_middle < 0.0 { -distance } else { distance }
+}
+
+/// The share of the values of such a number that are less than this one.
+pub(super) fn normal_share(quantile: f64) -> f64 {
+    0.5 * complementary_error_function(-quantile * core::f64::consts::FRAC_1_SQRT_2)
 }
 
 fn ratio([numerator, denominator]: &[Polynomial; 2], x: f64) -> f64 {

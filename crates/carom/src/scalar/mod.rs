@@ -12,7 +12,7 @@ mod trigonometry;
 
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
-pub use trigonometry::{angle_deg, arccos, direction, ln, other_leg};
+pub use trigonometry::{angle_deg, arccos, complementary_error_function, direction, ln, other_leg};
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};

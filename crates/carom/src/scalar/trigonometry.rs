@@ -35,6 +35,11 @@ pub fn angle_deg(x: f64, y: f64) -> f64 {
     libm::atan2(y, x) * (180.0 / core::f64::consts::PI)
 }
 
+/// 2/√π ∫ₓ^∞ e^(−t²) dt.
+pub fn complementary_error_function(x: f64) -> f64 {
+    libm::erfc(x)
+}
+
 /// The other leg of a right triangle with a hypotenuse of one; none where round-off makes the first too long.
 pub fn other_leg<S: Scalar>(leg: S) -> S {
     let squared = S::ONE - leg.squared();

@@ -74,3 +74,43 @@ fn uniform_values_are_within_their_range() {
     }
     assert_eq!(Distribution::Uniform { low: -2.0, high: 6.0 }.at(0.25), 0.0);
 }
+
+/// The share of values below one, found by halving, is the whole distribution's share between the bounds; and nothing is outside.
+#[test]
+fn a_truncated_normal_is_the_normal_between_its_bounds() {
+    let (mean, standard_deviation) = (2.0, 0.5);
+    let whole = Distribution::Normal { mean, standard_deviation };
+    let share = |value: f64| {
+        let (mut below, mut above) = (1e-12, 1.0 - 1e-12);
+        for _ in 0..60 {
+            let middle = 0.5 * (below + above);
+            if whole.at(middle) < value { below = middle } else { above = middle }
+        }
+        below
+    };
+    let infinity = f64::INFINITY;
+    for [low, high] in
+        [[1.5, 2.2], [2.0, infinity], [-infinity, 1.0], [3.0, 9.0], [0.0, 0.2], [-infinity, infinity]]
+    {
+        let cut = Distribution::TruncatedNormal { mean, standard_deviation, low, high };
+        cut.check().unwrap();
+        let (from, to) = (share(low), share(high));
+        for unit in [1e-9, 0.1, 0.5, 0.77, 1.0 - 1e-9] {
+            let value = cut.at(unit);
+            assert!((low..=high).contains(&value), "{low} {high} {unit}: {value}");
+            let expected = from + (to - from) * unit;
+            assert!(
+                (share(value) - expected).abs() < 1e-9 * expected + 1e-11,
+                "{low} {high} {unit}: {value}"
+            );
+        }
+    }
+    // A level cue: the half of the bell that is left has its median at 0.6745.
+    let level =
+        Distribution::TruncatedNormal { mean: 0.0, standard_deviation: 1.0, low: 0.0, high: infinity };
+    assert!((level.at(0.5) - 0.674_489_750_196_081_7).abs() < 1e-15);
+    for [low, high] in [[3.0, 2.0], [2.0, 2.0], [40.0, 50.0], [f64::NAN, 3.0]] {
+        let nothing = Distribution::TruncatedNormal { mean, standard_deviation, low, high };
+        assert!(nothing.check().unwrap_err().to_string().starts_with("high: must be above low, "));
+    }
+}

@@ -1,0 +1,191 @@
+"""How far a player's strokes scatter, and how sure a shot is under that."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from statistics import NormalDist
+from typing import TYPE_CHECKING, Any
+
+from carom.ensemble import Ensemble, Normal
+from carom.errors import ScenarioError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from carom.scenario import Scenario
+else:
+    from carom import arrays as np
+
+Goal = str | Callable[[Ensemble], Any]
+"""A ball that is to be in a pocket while the cue ball is not, or a function that says of each run whether it is met."""
+
+WORDS: dict[str, tuple[str, str]] = {
+    "speed": ("V0", "cue_speed"),
+    "direction_deg": ("phi_deg", "direction_deg"),
+    "elevation_deg": ("theta_deg", "elevation_deg"),
+    "left": ("a", "left"),
+    "top": ("b", "top"),
+}
+"""The keys of a shot for each kind of scatter, in pooltool's word and in the plain one."""
+
+BOUNDS: dict[str, tuple[float, float]] = {"speed": (0.0, math.inf), "elevation_deg": (0.0, 90.0)}
+"""Where a stroke that scatters ends: no speed is negative, and no cue lies lower than level."""
+
+
+@dataclass(frozen=True, slots=True)
+class ExecutionNoise:
+    """How far strokes scatter about what the player means: standard deviations of normal distributions.
+
+    Parameters
+    ----------
+    speed : float
+        Of the speed of the cue, in length per time.
+    direction_deg, elevation_deg : float
+        Of the direction and of how high the butt is raised, in degrees.
+    left, top : float
+        Of the place where the tip meets the ball, across and along its height, in length.
+
+    Examples
+    --------
+    >>> noise = ExecutionNoise.preset("pool_tournament")
+    >>> noise.direction_deg, noise.times(0.5).direction_deg
+    (0.125, 0.0625)
+    """
+
+    speed: float = 0.0
+    direction_deg: float = 0.0
+    elevation_deg: float = 0.0
+    left: float = 0.0
+    top: float = 0.0
+
+    @classmethod
+    def preset(cls, name: str) -> ExecutionNoise:
+        """Give published noise, in SI units.
+
+        ``pool_tournament`` is that of the computational pool tournaments of the Computer Olympiads of 2005 and 2006,
+        as FastFiz has it: 0.5 mm, 0.5 mm, 0.1°, 0.125° and 0.075 m/s.
+
+        Raises
+        ------
+        ValueError
+            When there is no such preset; it lists those that there are.
+        """
+        if name not in PRESETS:
+            raise ValueError(f"no execution noise {name!r}; known: {', '.join(PRESETS)}")
+        return PRESETS[name]
+
+    def times(self, factor: float) -> ExecutionNoise:
+        """Give a noise that is so many times as large: a beginner has more of it, a master less."""
+        return replace(self, **{name: getattr(self, name) * factor for name in WORDS})
+
+    def around(self, scenario: Scenario) -> dict[str, Normal]:
+        """Give the distributions of a scenario's shot, for `Scenario.ensemble`.
+
+        The offsets of a shot are over the ball's radius. Where the mean is near a bound (a level cue, no speed) the
+        distribution is cut off there.
+
+        Raises
+        ------
+        ScenarioError
+            When the scenario has no shot.
+        """
+        shot: Mapping[str, Any] | None = scenario.to_dict().get("shot")
+        if shot is None:
+            raise ScenarioError([("shot", "missing: only a shot has execution noise")])
+        balls = {ball["id"]: ball for ball in json.loads(scenario._native.balls())}
+        radius = balls[shot.get("cue_ball", "cue")]["radius"]
+        is_plain = "cue_speed" in shot
+        varied: dict[str, Normal] = {}
+        for name, words in WORDS.items():
+            deviation = getattr(self, name) / (radius if name in ("left", "top") else 1.0)
+            word = next((word for word in words if word in shot), words[is_plain])
+            if deviation != 0.0:
+                varied[f"shot.{word}"] = Normal(shot.get(word, 0.0), deviation, *BOUNDS.get(name, ()))
+        return varied
+
+
+PRESETS = {
+    "pool_tournament": ExecutionNoise(speed=0.075, direction_deg=0.125, elevation_deg=0.1, left=0.5e-3, top=0.5e-3)
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Success:
+    """How often a goal was met.
+
+    Attributes
+    ----------
+    probability : float
+        The share of the runs that met it.
+    low, high : float
+        Wilson's confidence interval of the probability.
+    level : float
+        How sure that is.
+    hits, runs : int
+        How many runs met the goal, and how many there were.
+    table : Ensemble
+        The runs.
+    """
+
+    probability: float
+    low: float
+    high: float
+    level: float
+    hits: int
+    runs: int
+    table: Ensemble
+
+    def __repr__(self) -> str:
+        interval = f"{self.low:.4f} to {self.high:.4f} ({self.level:.0%})"
+        return f"Success: {self.probability:.4f}, {interval}, {self.hits} of {self.runs} runs"
+
+
+def success(
+    scenario: Scenario,
+    goal: Goal,
+    noise: ExecutionNoise,
+    *,
+    runs: int,
+    outcomes: Sequence[str],
+    seed: int,
+    level: float,
+    threads: int | None,
+) -> Success:
+    """Tell how sure a shot is; see `Scenario.success`."""
+    if not 0.0 < level < 1.0:
+        raise ValueError(f"level: must be between 0 and 1, got {level}")
+    wanted = list(dict.fromkeys([*outcomes, "pockets"] if isinstance(goal, str) else outcomes))
+    table = scenario.ensemble(noise.around(scenario), wanted, runs=runs, seed=seed, threads=threads)
+    met = np.asarray(_potted(table, goal) if isinstance(goal, str) else goal(table))
+    if met.shape != (runs,) or met.dtype != np.bool_:
+        raise TypeError(f"goal: must give {runs} booleans, one for each run; got {met.dtype} of the shape {met.shape}")
+    hits = int(met.sum())
+    low, high = _wilson(hits, runs, NormalDist().inv_cdf(0.5 + level / 2.0))
+    return Success(hits / runs, low, high, level, hits, runs, table)
+
+
+def _potted(table: Ensemble, ball: str) -> NDArray[np.bool_]:
+    cue = table.scenario.to_dict()["shot"].get("cue_ball", "cue")
+    name = f"{ball}.pocket"
+    if name not in table:
+        known = [column.removesuffix(".pocket") for column in table.names if column.endswith(".pocket")]
+        raise ScenarioError([("goal", f"there is no ball {ball!r}; known: {', '.join(known)}")])
+    potted = _in_pocket(table[name])
+    return potted if ball == cue else potted & ~_in_pocket(table[f"{cue}.pocket"])
+
+
+def _in_pocket(pockets: NDArray[Any]) -> NDArray[np.bool_]:
+    return np.array([pocket is not None for pocket in pockets], dtype=np.bool_)
+
+
+def _wilson(hits: int, runs: int, quantile: float) -> tuple[float, float]:
+    """Give Wilson's interval of a probability, JASA 22 (1927) 209."""
+    share, weight = hits / runs, quantile * quantile / runs
+    middle = (share + weight / 2.0) / (1.0 + weight)
+    half = quantile / (1.0 + weight) * math.sqrt(share * (1.0 - share) / runs + weight / (4.0 * runs))
+    # At the ends the interval reaches them exactly, but for rounding.
+    return 0.0 if hits == 0 else middle - half, 1.0 if hits == runs else middle + half
