@@ -92,7 +92,10 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
         "carom gas fifty_random --snapshots gsd --snapshot-interval 0.5 --events 1 2 --out out/gas",
     ],
     resume: ["carom resume out/gas", "carom resume out/gas --duration 20"],
-    sweep: ["carom sweep my_sweep.toml --out out/sweep"],
+    sweep: [
+        "carom sweep my_sweep.toml --out out/sweep",
+        "carom sweep my_sweep.toml --out out/sweep --engine dask --scheduler tcp://10.0.0.1:8786",
+    ],
     check: ["carom check my.toml"],
     verify: ["carom verify out/mine/run.json"],
     scenarios: ["carom scenarios", "carom scenarios --copy stadium stadium.toml"],
