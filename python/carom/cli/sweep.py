@@ -34,8 +34,8 @@ def sweep(
         str | None,
         typer.Option(
             metavar="ADDRESS",
-            help="With dask: the cluster of this scheduler, such as tcp://10.0.0.1:8786. All of its workers have to see "
-            "DIR, at the same path.  [default: worker processes of this machine, for this command]",
+            help="With dask: the cluster of this scheduler, such as tcp://10.0.0.1:8786. All of its workers have to "
+            "see DIR, at the same path.  [default: worker processes of this machine, for this command]",
         ),
     ] = None,
     workers: Annotated[

@@ -154,7 +154,7 @@ class Sweep:
         needed("pyarrow", "data")
         if engine == "dask":
             needed("distributed", "cluster")
-        folder = Path(os.path.abspath(folder))
+        folder = Path(folder)
         self._begin(folder)
         missing = self._missing(folder)
         done = self.rows - sum(len(self._rows_of(part)) for part in missing)
@@ -212,7 +212,7 @@ class Sweep:
     ) -> None:
         from carom.sweep import on_dask
 
-        write = partial(_write_part_as_told, str(folder), self.digest, threads)
+        write = partial(_write_part_as_told, str(folder.absolute()), self.digest, threads)
         try:
             with on_dask.connected(scheduler, workers) as client:
                 on_dask.write_parts(client, ((part, len(self._rows_of(part))) for part in parts), write, tell)
@@ -287,6 +287,8 @@ def _check_engine(engine: str, scheduler: str | None, workers: int | None) -> No
         raise ValueError('scheduler, workers: are those of a Dask cluster; engine="dask" takes them')
     if scheduler is not None and workers is not None:
         raise ValueError("workers: the scheduler at an address has its own; leave out one of the two")
+    if workers is not None and workers < 1:
+        raise ValueError(f"workers: must be 1 at least, got {workers}")
 
 
 def _added(tell: Callable[[int], object], done: int, more: int) -> object:

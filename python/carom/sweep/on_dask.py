@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import errno
 import logging
+import signal
+import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import CancelledError
 from contextlib import contextmanager, suppress
 from itertools import islice
+from multiprocessing import resource_tracker
 from queue import Empty, SimpleQueue
 from typing import Any
 
@@ -31,11 +34,10 @@ def connected(scheduler: str | None, workers: int | None) -> Iterator[Any]:
     distributed = needed("distributed", "cluster")
     if scheduler is None:
         # Losses and restarts of workers are Dask's to deal with; what cannot be dealt with comes back as an error.
-        local = {"threads_per_worker": 1, "dashboard_address": None, "silence_logs": logging.CRITICAL}
-        with (
-            distributed.LocalCluster(workers, host="127.0.0.1", processes=True, **local) as cluster,
-            distributed.Client(cluster, set_as_default=False) as client,
-        ):
+        local = {"threads_per_worker": 1, "dashboard_address": "127.0.0.1:0", "silence_logs": logging.CRITICAL}
+        with _sparing_others_ctrl_c():
+            cluster = distributed.LocalCluster(workers, host="127.0.0.1", processes=True, **local)
+        with cluster, distributed.Client(cluster, set_as_default=False) as client:
             yield client
         return
     try:
@@ -46,12 +48,29 @@ def connected(scheduler: str | None, workers: int | None) -> Iterator[Any]:
         yield client
 
 
+@contextmanager
+def _sparing_others_ctrl_c() -> Iterator[None]:
+    """Keep Ctrl-C, which a terminal sends to all, from what starts in the block: this thread is to end it.
+
+    Threads and processes take over which signals are blocked where they are started, workers that replace others too.
+    """
+    if sys.platform == "win32":
+        yield
+        return
+    resource_tracker.ensure_running()  # which would unblock it
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 def write_parts(
     client: Any, parts: Iterable[tuple[int, int]], write: Callable[[int], None], tell: Callable[[int], object]
 ) -> None:
     """Let the workers write parts.
 
-    Only few of the parts are with the cluster at a time, so that the scheduler's memory does not grow with their number.
+    Few of the parts are with the cluster at a time, so that the scheduler's memory does not grow with their number.
 
     Parameters
     ----------
