@@ -240,7 +240,8 @@ class Sweep:
     def _compute(
         self, inputs: pyarrow.Table, threads: int | None, watch: Callable[[int], object] | None = None
     ) -> Computed | None:
-        return compute(self._plan.scenario, inputs, self._plan.outcomes, threads=threads, watch=watch)
+        first = inputs[ROW][0].as_py()
+        return compute(self._plan.scenario, self._native, inputs, first, threads=threads, watch=watch)
 
     def _facts(self) -> dict[str, Any]:
         return {**self._plan.to_dict(), "physics_version": _engine.PHYSICS_VERSION}

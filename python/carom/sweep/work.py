@@ -62,7 +62,16 @@ def outcomes_of_table(
     MissingExtraError
         Without pyarrow, which carom[data] brings.
     """
-    computed = compute(scenario, inputs, outcomes, threads=threads)
+    inputs = _checked(inputs)
+    # Two rows that are not run stand before the others, so that the columns do not depend on the rows, of which there
+    # need not be one that makes a scenario.
+    varied = {
+        path: np.concatenate([_likely_numbers(scenario, path), inputs[path].to_numpy()])
+        for path in inputs.column_names
+        if path != ROW
+    }
+    native = native_ensemble(scenario, varied, outcomes, runs=None, design="independent", seed=0)
+    computed = compute(scenario, native, inputs, 2, threads=threads)
     if computed is None:
         raise KeyboardInterrupt
     return computed.table()
@@ -104,27 +113,38 @@ WITHOUT_OUTCOMES = ("rejected", "failed")
 
 def compute(
     scenario: Scenario,
+    native: _engine.Ensemble,
     inputs: pyarrow.Table,
-    outcomes: Sequence[str],
+    first: int,
     *,
     threads: int | None = None,
     watch: Callable[[int], object] | None = None,
 ) -> Computed | None:
-    """Run the rows of a table, or give None where that was ended early; see `outcomes_of_table`."""
+    """Run the rows of an ensemble from one on, whose numbers are `inputs`, or give None where that was ended early."""
+    numbers, codes, words, problems, is_interrupted = native.run(first, first + inputs.num_rows, threads, watch)
+    if is_interrupted or "not_run" in words:
+        return None
+    problems = [(row - first, text) for row, text in problems]
+    return Computed(scenario, native, inputs, numbers, codes, words, problems)
+
+
+def _likely_numbers(scenario: Scenario, path: str) -> tuple[float, float]:
+    """Give two numbers with which there is likely a scenario: its own, or small ones where it says none."""
+    try:
+        own = scenario.value(path)
+    except ScenarioError:  # the engine says what is wrong with the path, if anything is
+        own = None
+    return (1.0, 0.0) if not isinstance(own, (int, float)) else (float(own), float(own))
+
+
+def _checked(inputs: pyarrow.Table) -> pyarrow.Table:
+    """Give the inputs with double precision, or raise what is wrong with their columns."""
     arrow = needed("pyarrow", "data")
     problems = list(_problems(inputs, arrow))
     if problems:
         raise ScenarioError(problems)
     fields = [field if field.name == ROW else arrow.field(field.name, arrow.float64()) for field in inputs.schema]
-    inputs = inputs.cast(arrow.schema(fields))
-    varied = {name: inputs[name].to_numpy() for name in inputs.column_names if name != ROW}
-    if not inputs.num_rows:  # The engine has no ensemble of no runs: of this one it runs none.
-        varied = dict.fromkeys(varied, np.zeros(1))
-    native = native_ensemble(scenario, varied, outcomes, runs=None, design="independent", seed=0)
-    numbers, codes, words, rejected, is_interrupted = native.run(0, inputs.num_rows, threads, watch)
-    if is_interrupted or "not_run" in words:
-        return None
-    return Computed(scenario, native, inputs, numbers, codes, words, rejected)
+    return inputs.cast(arrow.schema(fields))
 
 
 def _problems(inputs: Any, arrow: Any) -> Iterator[tuple[str, str]]:
