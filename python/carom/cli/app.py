@@ -94,7 +94,7 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
     resume: ["carom resume out/gas", "carom resume out/gas --duration 20"],
     sweep: [
         "carom sweep my_sweep.toml --out out/sweep",
-        "carom sweep my_sweep.toml --out out/sweep --engine dask --scheduler tcp://10.0.0.1:8786",
+        "carom sweep my_sweep.toml --out out/on_dask --engine dask --workers 2",
     ],
     check: ["carom check my.toml"],
     verify: ["carom verify out/mine/run.json"],
