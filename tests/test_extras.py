@@ -13,7 +13,7 @@ from packaging.requirements import Requirement
 import carom
 
 PACKAGE = Path(carom.__file__).parent
-OPTIONAL = {"pandas": "data", "pyarrow": "data", "imageio_ffmpeg": "movie", "gsd": "gas"}
+OPTIONAL = {"pandas": "data", "pyarrow": "data", "imageio_ffmpeg": "movie", "gsd": "gas", "distributed": "cluster"}
 
 # Python starts as if the optional packages were not installed: nothing finds them.
 HIDING = f"""
@@ -110,7 +110,7 @@ def imported_when_run(tree: ast.AST) -> set[str]:
 def test_extras_bring_what_is_asked_of_them_and_all_brings_everything() -> None:
     brought: dict[str, set[str]] = {}
     for requirement in map(Requirement, requires("carom") or []):
-        for extra in ("data", "movie", "gas", "all"):
+        for extra in ("data", "movie", "gas", "cluster", "all"):
             # A marker holds for an extra where it does not hold without one.
             if requirement.marker and requirement.marker.evaluate({"extra": extra}):
                 brought.setdefault(extra, set()).add(requirement.name.replace("-", "_"))

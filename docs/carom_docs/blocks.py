@@ -99,8 +99,9 @@ class Reader:
 
     ``python`` is run, all blocks of a page in one namespace, sessions (``>>>``) as doctests; ``toml`` is a scenario,
     or a part of one that is laid over the midterm, written to a file where its first line names one
-    (``# mine.toml``); ``json`` likewise, without a file; of ``console`` the lines that begin with ``$`` are run by a
-    shell; ``text`` is output where it follows a block that printed something, and else nothing to run.
+    (``# mine.toml``); with ``[vary]`` it is a sweep, which has to be named; ``json`` is like a scenario, without a
+    file; of ``console`` the lines that begin with ``$`` are run by a shell; ``text`` is output where it follows a
+    block that printed something, and else nothing to run.
     """
 
     def __init__(self) -> None:
@@ -144,7 +145,11 @@ class Reader:
         named = re.match(r"# (\S+\.toml)\n", block.text)
         if named:
             Path(named[1]).write_text(block.text, encoding="utf-8")
-        _try_scenario(block, tomllib.loads(block.text))
+        values = tomllib.loads(block.text)
+        if named and "vary" in values:
+            carom.Sweep.load(named[1])
+        else:
+            _try_scenario(block, values)
 
     def _json(self, block: Block) -> None:
         import json

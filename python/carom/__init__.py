@@ -69,7 +69,7 @@ if TYPE_CHECKING:
     from carom.scenario import Scenario, load
     from carom.shot import ShotResult
     from carom.simulation import Candidate, Simulation
-    from carom.sweep import Sweep, SweepResult
+    from carom.sweep import Sweep, SweepResult, outcomes_of_table
     from carom.table import Arc, Circle, Line, Mouth, Path, Pocket, Table, Wall
 
 _HOMES = {
@@ -128,7 +128,7 @@ _HOMES = {
     "scenario": ["Scenario", "load"],
     "shot": ["ShotResult"],
     "simulation": ["Candidate", "Simulation"],
-    "sweep": ["Sweep", "SweepResult"],
+    "sweep": ["Sweep", "SweepResult", "outcomes_of_table"],
     "table": ["Arc", "Circle", "Line", "Mouth", "Path", "Pocket", "Table", "Wall"],
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
@@ -209,6 +209,7 @@ __all__ = [
     "gas",
     "load",
     "load_run",
+    "outcomes_of_table",
     "presets",
     "resume",
     "scenarios",

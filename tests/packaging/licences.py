@@ -33,6 +33,7 @@ ALLOWED = {
 # What older metadata says in words of its own.
 SPDX = {
     "Apache Software License": "Apache-2.0",
+    "BSD": "BSD-3-Clause",  # of partd, whose file has three clauses
     "BSD License": "BSD-3-Clause",
     "Historical Permission Notice and Disclaimer (HPND)": "HPND",
     "ISC License (ISCL)": "ISC",
@@ -190,7 +191,8 @@ def licence_of(package: Distribution) -> str:
     said = package.metadata
     classified = [line.split(" :: ")[-1] for line in said.get_all("Classifier", []) if line.startswith("License")]
     in_words = " AND ".join(SPDX.get(name, name) for name in classified if name != "OSI Approved")
-    for field in (said.get("License-Expression"), said.get("License"), in_words):
+    in_short = SPDX.get(said.get("License", ""), said.get("License"))
+    for field in (said.get("License-Expression"), in_short, in_words):
         if field and parsed(field) is not None:
             return field
     return "a licence that its metadata does not tell"

@@ -93,7 +93,10 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
         "carom gas fifty_random --snapshots gsd --snapshot-interval 0.5 --events 1 2 --out out/gas",
     ],
     resume: ["carom resume out/gas", "carom resume out/gas --duration 20"],
-    sweep: ["carom sweep my_sweep.toml --out out/sweep"],
+    sweep: [
+        "carom sweep my_sweep.toml --out out/sweep",
+        "carom sweep my_sweep.toml --out out/on_dask --engine dask --workers 2",
+    ],
     map_: [
         "carom map midterm --x balls.red.direction_deg=0:90:300 --y balls.red.speed=0:3:300 --show blue.x",
         "carom map nine_ball_break --x shot.phi_deg=95:98:30 --y shot.V0=6:9:20 --show 1.pocket --out out/map",

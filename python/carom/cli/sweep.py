@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -12,13 +12,37 @@ from carom.cli import INTERRUPTED, options
 from carom.cli.measuring import counting, interruptible
 from carom.cli.output import print_json, print_table, reporting, say_error
 
+Engine = Literal["threads", "dask"]
+
 
 @reporting()
 def sweep(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="The sweep: a .toml or .json file.", show_default=False)],
     out: Annotated[Path, typer.Option(metavar="DIR", help="The folder of the dataset.", show_default=False)],
+    engine: Annotated[
+        Engine, typer.Option(help="What computes: the threads of this command, or the workers of a Dask cluster.")
+    ] = "threads",
     threads: Annotated[
-        int | None, typer.Option(metavar="N", min=1, help="On N threads.  [default: as many as there are cores]")
+        int | None,
+        typer.Option(
+            metavar="N",
+            min=1,
+            help="On N threads, with dask for each worker.  [default: as many as there are cores; with dask 1]",
+        ),
+    ] = None,
+    scheduler: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ADDRESS",
+            help="With dask: the cluster of this scheduler, such as tcp://10.0.0.1:8786. All of its workers have to "
+            "see DIR, at the same path.  [default: worker processes of this machine, for this command]",
+        ),
+    ] = None,
+    workers: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N", min=1, help="With dask: start N worker processes.  [default: as many as there are cores]"
+        ),
     ] = None,
     as_json: options.Json = False,
 ) -> None:
@@ -30,10 +54,18 @@ def sweep(
     """
     from carom.sweep import Sweep
 
+    _check_usage(engine, scheduler, workers)
     planned = Sweep.load(file)
     began = time.perf_counter()
     with interruptible() as interrupted, counting("runs", "runs") as told:
-        result = planned.run(out, threads=threads, progress=lambda *now: told(*now) or interrupted())
+        result = planned.run(
+            out,
+            engine=engine,
+            threads=threads,
+            scheduler=scheduler,
+            workers=workers,
+            progress=lambda *now: told(*now) or interrupted(),
+        )
     seconds = time.perf_counter() - began
     facts = {"rows": result.rows, "of": planned.rows, "seconds": round(seconds, 3), "out": str(out)}
     if as_json:
@@ -45,3 +77,11 @@ def sweep(
     if not result.is_complete:
         say_error("", f"ended after {result.rows} of {planned.rows} rows; the same command goes on")
         raise typer.Exit(INTERRUPTED)
+
+
+def _check_usage(engine: str, scheduler: str | None, workers: int | None) -> None:
+    for option, value in (("--scheduler", scheduler), ("--workers", workers)):
+        if value is not None and engine != "dask":
+            raise typer.BadParameter("is for --engine dask", param_hint=option)
+    if scheduler is not None and workers is not None:
+        raise typer.BadParameter("the scheduler at an address has its own workers", param_hint="--workers")

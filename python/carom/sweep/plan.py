@@ -76,6 +76,17 @@ class Plan:
             "rows_per_part": self.rows_per_part,
         }
 
+    @classmethod
+    def from_dict(cls, facts: Mapping[str, Any]) -> Plan:
+        """Give the plan whose `to_dict` this is; further keys do not count."""
+        own = {key: facts[key] for key in ("runs", "seed", "design", "rows_per_part", "vary", "grid")}
+        return cls(
+            scenario=Scenario.from_json(json.dumps(facts["scenario"])),
+            varied=_varied(facts["vary"], is_grid=facts["grid"]),
+            outcomes=tuple(facts["outcomes"]),
+            **own,
+        )
+
 
 def read_plan(path: Path) -> Plan:
     """Read a sweep file.
@@ -93,10 +104,9 @@ def read_plan(path: Path) -> Plan:
         raise ScenarioError(problems)
     vary = dict(_flat(keys["vary"]))
     grid = keys.get("grid", False)
-    numbers = {place: _numbers(said) for place, said in vary.items()}
     return Plan(
         scenario=_scenario(keys["scenario"], path).with_values(dict(keys.get("set", {}))),
-        varied=Grid(numbers) if grid else numbers,
+        varied=_varied(vary, is_grid=grid),
         outcomes=tuple(keys.get("outcomes", ("final_position",))),
         runs=keys.get("runs"),
         seed=keys.get("seed", 0),
@@ -106,6 +116,11 @@ def read_plan(path: Path) -> Plan:
         vary=vary,
         grid=grid,
     )
+
+
+def _varied(vary: Mapping[str, Any], *, is_grid: bool) -> Varied | Grid:
+    numbers = {place: _numbers(said) for place, said in vary.items()}
+    return Grid(numbers) if is_grid else numbers
 
 
 def _json(path: Path, text: str) -> Any:

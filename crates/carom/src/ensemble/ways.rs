@@ -160,6 +160,7 @@ fn arsinh(u: f64, w: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{Leg, Vec3};
+    use crate::scalar::direction;
 
     fn leg(position: [f64; 3], velocity: [f64; 3], acceleration: [f64; 3]) -> Leg {
         let [position, velocity, acceleration] = [position, velocity, acceleration].map(Vec3::from_f64);
@@ -204,7 +205,7 @@ mod tests {
     #[test]
     fn the_two_formulas_meet() {
         for angle in 0..20 {
-            let (x, y) = (f64::from(angle).cos(), f64::from(angle).sin());
+            let (x, y) = direction(18.0 * f64::from(angle));
             let flight = leg([0.0; 3], [2.0, 0.0, 0.0], [x, y, 0.0]);
             let (below, above) = (flight.length(0.2 - 1e-12), flight.length(0.2 + 1e-12));
             assert!((above - below).abs() < 1e-11, "{angle}: {below} {above}");
@@ -222,6 +223,6 @@ mod tests {
         assert!(still.nearest_squared(&thrown, 5.0) < 1e-20);
         let beside = leg([0.0, 2.0, 0.5], [0.0, -3.0, 0.0], [0.0, 2.0, 0.0]);
         assert!((still.nearest_squared(&beside, 5.0) - 0.25).abs() < 1e-14);
-        assert!((still.nearest_squared(&beside, 0.5) - (0.75_f64.powi(2) + 0.25)).abs() < 1e-14);
+        assert!((still.nearest_squared(&beside, 0.5) - (0.75 * 0.75 + 0.25)).abs() < 1e-14);
     }
 }
