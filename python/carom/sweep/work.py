@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom import _engine
-from carom.ensemble import native_ensemble, outcomes_of
+from carom.ensemble import WITHOUT_OUTCOMES, native_ensemble, outcomes_of
 from carom.errors import ScenarioError
 from carom.extras import needed
 
@@ -106,9 +106,6 @@ class Computed:
             texts[row] = text
         arrays["problem"] = arrow.array(texts, type=arrow.string())
         return arrow.table(arrays)
-
-
-WITHOUT_OUTCOMES = ("rejected", "failed")
 
 
 def compute(
