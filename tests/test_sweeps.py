@@ -202,6 +202,16 @@ def test_grids_lists_and_files_of_scenarios(tmp_path: Path) -> None:
     assert table["end_time"].to_pylist() == [2.5] * 10
 
 
+def test_a_normal_number_may_have_bounds(write: Callable[[str], Path], tmp_path: Path) -> None:
+    bounded = MIDTERM.replace("standard_deviation = 4 }", "standard_deviation = 4, low = 0.5 }")
+    result = carom.Sweep.load(write(bounded)).run(tmp_path / "out")
+    assert result.statuses == {"time_limit": 1000}
+    speeds = table_of(tmp_path / "out")["balls.red.speed"].to_numpy()
+    assert speeds.min() >= 0.5
+    assert speeds.max() > 10
+    assert abs(np.median(speeds) - 5.656) < 0.5  # the median of what lies above 0.5
+
+
 @pytest.mark.parametrize(
     ("text", "problems"),
     [

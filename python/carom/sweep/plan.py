@@ -47,6 +47,9 @@ KINDS: dict[str, tuple[str, ...]] = {
 }
 """The ways to say what stands at a path, and the keys of each; `values` is a list."""
 
+BOUNDS = {"normal": {"low", "high"}}
+"""Keys that may be there too."""
+
 
 @dataclass(frozen=True)
 class Plan:
@@ -177,8 +180,9 @@ def _vary_problems(vary: dict[str, Any], *, is_grid: bool) -> Iterator[tuple[str
         if kind == "values":
             if not isinstance(parts, list) or not parts or not all(map(_is_number, parts)):
                 yield place, "must be a list of numbers"
-        elif not isinstance(parts, dict) or sorted(parts) != sorted(KINDS[kind]):
-            yield place, f"must have {' and '.join(KINDS[kind])}, got {json.dumps(parts)}"
+        elif not isinstance(parts, dict) or set(parts) - BOUNDS.get(kind, set()) != set(KINDS[kind]):
+            bounds = ", and may have low and high" if kind in BOUNDS else ""
+            yield place, f"must have {' and '.join(KINDS[kind])}{bounds}, got {json.dumps(parts)}"
         else:
             yield from ((f"{place}.{key}", "must be a number") for key, part in parts.items() if not _is_number(part))
             if kind == "linspace" and not (isinstance(parts["count"], int) and parts["count"] >= 2):
@@ -206,8 +210,8 @@ def _numbers(said: Mapping[str, Any]) -> Any:
     match said:
         case {"values": values}:
             return values
-        case {"normal": {"mean": mean, "standard_deviation": deviation}}:
-            return Normal(mean, deviation)
+        case {"normal": parts}:
+            return Normal(**parts)
         case {"uniform": {"low": low, "high": high}}:
             return Uniform(low, high)
         case {"linspace": {"from": first, "to": last, "count": count}}:
