@@ -258,3 +258,34 @@ def test_ways_on_a_cloth_are_those_of_many_states() -> None:
         two, three = (places[:, run.ball_ids.index(ball)] for ball in ("2", "3"))
         nearest = np.nanmin(np.linalg.norm(two - three, axis=1))
         assert nearest - 2e-3 < table['closest_approach."2"."3"'][row] <= nearest + 1e-12
+
+
+def test_observables_of_gases_are_those_of_single_runs() -> None:
+    gas = carom.load("gas").with_values({"collisions": 20_000})
+    fractions = [0.1, 0.4]
+    table = gas.ensemble({"gas.packing_fraction": fractions}, ["pressure", "speeds", "events"], equilibrate=10)
+    for row, fraction in enumerate(fractions):
+        run = gas.with_values({"gas.packing_fraction": fraction}).run(
+            observe=["pressure", "speeds"], equilibrate=10, record="none"
+        )
+        for name in ("pressure", "speeds"):
+            for quantity in run.observables[name].quantities.values():
+                for found, value in (("", quantity.value), (".error", quantity.error)):
+                    expected = np.nan if value is None else value
+                    got = table[f"{name}.{quantity.name}{found}"][row]
+                    assert got == expected or np.isnan([got, expected]).all(), quantity
+        assert table["events.ball_ball"][row] == 20_000
+    z = run.observables["pressure"].quantities["compressibility_factor"]
+    assert z.error is not None and z.expected is not None
+    assert abs(table["pressure.compressibility_factor"][1] - z.expected) < 5 * z.error
+
+
+def test_what_cannot_be_observed_is_told() -> None:
+    gas = carom.load("gas").with_values({"collisions": 20_000})
+    with pytest.raises(carom.ScenarioError, match="first_event: goes with nothing that is observed, such as pressure"):
+        gas.ensemble({"gas.packing_fraction": [0.1]}, ["pressure", "first_event"])
+    with pytest.raises(carom.ScenarioError, match=r"outcomes: .*rectangle"):
+        carom.load("circle").ensemble({"duration": [1.0]}, ["pressure"])
+    table = gas.ensemble({"collisions": [200, 20_000]}, ["pressure"], invalid="keep")
+    assert table["status"].tolist() == ["rejected", "collision_limit"]
+    assert "collisions: must be 250 or more to measure 50 discs" in table["problem"][0]

@@ -238,3 +238,17 @@ def test_what_is_wrong_with_a_file_is_told(write: Callable[[str], Path], text: s
         carom.Sweep.load(write(text))
     for problem in problems:
         assert problem in str(error.value)
+
+
+def test_the_compressibility_of_a_gas_is_six_lines(tmp_path: Path) -> None:
+    path = Path(__file__).parents[1] / "examples" / "compressibility.toml"
+    assert len(path.read_text(encoding="utf-8").splitlines()) == 6
+    result = carom.Sweep.load(path).run(tmp_path / "out")
+    assert result.statuses == {"collision_limit": 11}
+    table = table_of(tmp_path / "out")
+    fractions = table["gas.packing_fraction"].to_numpy()
+    z = table["pressure.compressibility_factor"].to_numpy()
+    errors = table["pressure.compressibility_factor.error"].to_numpy()
+    # D. Henderson, Mol. Phys. 30 (1975) 971, which is 0.5 % off at 0.5 and 1.2 % at 0.6.
+    expected = (1 + fractions**2 / 8) / (1 - fractions) ** 2
+    assert (np.abs(z - expected) < 5 * errors + 0.05 * fractions**3 * expected).all(), (z, expected, errors)

@@ -160,6 +160,8 @@ class Ensemble:
         design: str,
         seed: int,
         outcomes: list[str],
+        equilibrate: float,
+        sample_interval: float | None,
     ) -> Ensemble: ...
     @property
     def runs(self) -> int: ...

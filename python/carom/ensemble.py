@@ -189,13 +189,24 @@ def ensemble(
     threads: int | None,
     invalid: Invalid,
     progress: Progress | None,
+    equilibrate: float,
+    sample_interval: float | None,
 ) -> Ensemble:
     """Run many variations of a scenario; see `Scenario.ensemble`."""
     if isinstance(outcomes, str):
         raise TypeError(f"outcomes: expected a list of names, got the text {outcomes!r}; give [{outcomes!r}]")
     if invalid not in ("error", "keep"):
         raise ValueError(f'invalid: must be "error" or "keep", got {invalid!r}')
-    native = native_ensemble(scenario, varied, outcomes, runs=runs, design=design, seed=seed)
+    native = native_ensemble(
+        scenario,
+        varied,
+        outcomes,
+        runs=runs,
+        design=design,
+        seed=seed,
+        equilibrate=equilibrate,
+        sample_interval=sample_interval,
+    )
     watch = None if progress is None else lambda done: progress(done, native.runs)
     numbers, codes, words, problems, is_interrupted = native.run(0, native.runs, threads, watch)
     rejected = [(row, text) for row, text in problems if words[codes[row]] == "rejected"]
@@ -216,12 +227,22 @@ def ensemble(
 
 
 def native_ensemble(
-    scenario: Scenario, varied: Varied | Grid, outcomes: Sequence[str], *, runs: int | None, design: str, seed: int
+    scenario: Scenario,
+    varied: Varied | Grid,
+    outcomes: Sequence[str],
+    *,
+    runs: int | None,
+    design: str,
+    seed: int,
+    equilibrate: float = 0.0,
+    sample_interval: float | None = None,
 ) -> _engine.Ensemble:
     """Give the engine's ensemble, checked."""
     is_grid = isinstance(varied, Grid)
     sources = [(path, *_source(path, numbers, is_grid=is_grid)) for path, numbers in varied.items()]
-    return _engine.Ensemble(scenario._native, sources, runs, design, seed, list(outcomes))
+    return _engine.Ensemble(
+        scenario._native, sources, runs, design, seed, list(outcomes), float(equilibrate), sample_interval
+    )
 
 
 def columns_of(scenario: Scenario, grid: Grid) -> dict[str, list[str]]:

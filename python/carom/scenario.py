@@ -460,6 +460,8 @@ class Scenario:
         threads: int | None = None,
         invalid: Invalid = "error",
         progress: EnsembleProgress | None = None,
+        equilibrate: float = 0.0,
+        sample_interval: float | None = None,
     ) -> Ensemble:
         """Run many variations of this scenario, on all cores; each has the bits of a run by itself.
 
@@ -472,7 +474,8 @@ class Scenario:
             What to keep of each run: ``end_time``; ``events``, the count of each kind; ``first_event`` and
             ``last_event``, their times; ``final_position`` and ``final_velocity`` of each ball; on a cloth
             ``final_spin``, and ``pockets``, which each ball is in; ``distance``, the length of each ball's way;
-            ``closest_approach.A.B`` of two balls, between their centres. The status is kept in any case.
+            ``closest_approach.A.B`` of two balls, between their centres; of gases what can be observed, such as
+            ``pressure``, each number with its standard error. The status is kept in any case.
         functions : mapping of str to callable, optional
             More columns: what these functions give for each `Run`. They take much longer, one run after the other.
         runs : int, optional
@@ -487,6 +490,8 @@ class Scenario:
             What to do about rows whose numbers make no scenario.
         progress : callable, optional
             Called now and then with the number of runs done and of all; what is true ends the ensemble.
+        equilibrate, sample_interval : float, optional
+            When gases are observed; see `run`.
 
         Returns
         -------
@@ -519,6 +524,8 @@ class Scenario:
             threads=threads,
             invalid=invalid,
             progress=progress,
+            equilibrate=equilibrate,
+            sample_interval=sample_interval,
         )
 
     def success(

@@ -3,6 +3,8 @@
 use crate::errors::{problem, scenario_error};
 use crate::scenario::Scenario;
 use carom::ensemble::{self, Design, Distribution, Ending, Inputs, Meaning, Outcome, Source};
+use carom::observe::NAMES;
+use carom::simulate::Sampling;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
@@ -23,8 +25,10 @@ pub struct Ensemble(ensemble::Ensemble);
 
 #[pymethods]
 impl Ensemble {
-    /// The paths with what is varied there, the number of runs, and the outcomes that are wanted.
+    /// The paths with what is varied there, the number of runs, the outcomes that are wanted, and when gases are observed:
+    /// after how many collisions of each disc, and the time between samples.
     #[new]
+    #[allow(clippy::too_many_arguments)]
     fn new(
         py: Python<'_>,
         scenario: &Scenario,
@@ -33,9 +37,12 @@ impl Ensemble {
         design: &str,
         seed: u64,
         outcomes: Vec<String>,
+        equilibrate: f64,
+        sample_interval: Option<f64>,
     ) -> PyResult<Self> {
         let design = named("design", design, Design::from_name, &Design::ALL.map(Design::name))?;
-        let known = [&Outcome::ALL.map(|outcome| outcome.name())[..], &["closest_approach.A.B"]].concat();
+        let known =
+            [&Outcome::ALL.map(|outcome| outcome.name())[..], &["closest_approach.A.B"], &NAMES].concat();
         let of_name = |name: &String| named("outcomes", name, Outcome::from_name, &known);
         let outcomes: Vec<Outcome> = outcomes.iter().map(of_name).collect::<PyResult<_>>()?;
         let sources: Vec<(String, Source)> = varied
@@ -45,7 +52,8 @@ impl Ensemble {
         let scenario = scenario.inner();
         py.detach(|| {
             let inputs = Inputs::new(sources, runs, design, seed)?;
-            ensemble::Ensemble::new(scenario, inputs, &outcomes)
+            let sampling = Sampling { equilibrate, interval: sample_interval };
+            Ok(ensemble::Ensemble::new(scenario, inputs, &outcomes)?.sampled(sampling))
         })
         .map(Self)
         .map_err(scenario_error)

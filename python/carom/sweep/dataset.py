@@ -77,7 +77,14 @@ class Sweep:
     def __init__(self, plan: Plan) -> None:
         self._plan = plan
         self._native = native_ensemble(
-            plan.scenario, plan.varied, plan.outcomes, runs=plan.runs, design=plan.design, seed=plan.seed
+            plan.scenario,
+            plan.varied,
+            plan.outcomes,
+            runs=plan.runs,
+            design=plan.design,
+            seed=plan.seed,
+            equilibrate=plan.equilibrate,
+            sample_interval=plan.sample_interval,
         )
 
     @classmethod

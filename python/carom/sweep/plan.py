@@ -33,8 +33,13 @@ KEYS: dict[str, tuple[str, Any]] = {
     "seed": ("a whole number", int),
     "design": ("a word", str),
     "rows_per_part": ("a whole number", int),
+    "equilibrate": ("a number", (int, float)),
+    "sample_interval": ("a number", (int, float)),
 }
 """The keys of a sweep file: what each has to be, in words and as a type."""
+
+PLAIN = ("runs", "seed", "design", "equilibrate", "sample_interval", "rows_per_part", "vary", "grid")
+"""The keys of a plan that a manifest has as they are."""
 
 LEAST = {"runs": 1, "rows_per_part": 1, "seed": 0}
 """The least value of whole numbers."""
@@ -60,6 +65,8 @@ class Plan:
     outcomes: tuple[str, ...]
     runs: int | None = None
     seed: int = 0
+    equilibrate: float = 0.0
+    sample_interval: float | None = None
     design: str = "independent"
     rows_per_part: int = ROWS_PER_PART
     title: str | None = None
@@ -75,6 +82,8 @@ class Plan:
             "outcomes": list(self.outcomes),
             "runs": self.runs,
             "seed": self.seed,
+            "equilibrate": self.equilibrate,
+            "sample_interval": self.sample_interval,
             "design": self.design,
             "rows_per_part": self.rows_per_part,
         }
@@ -82,7 +91,7 @@ class Plan:
     @classmethod
     def from_dict(cls, facts: Mapping[str, Any]) -> Plan:
         """Give the plan whose `to_dict` this is; further keys do not count."""
-        own = {key: facts[key] for key in ("runs", "seed", "design", "rows_per_part", "vary", "grid")}
+        own = {key: facts[key] for key in PLAIN}
         return cls(
             scenario=Scenario.from_json(json.dumps(facts["scenario"])),
             varied=_varied(facts["vary"], is_grid=facts["grid"]),
@@ -113,6 +122,8 @@ def read_plan(path: Path) -> Plan:
         outcomes=tuple(keys.get("outcomes", ("final_position",))),
         runs=keys.get("runs"),
         seed=keys.get("seed", 0),
+        equilibrate=keys.get("equilibrate", 0.0),
+        sample_interval=keys.get("sample_interval"),
         design=keys.get("design", "independent"),
         rows_per_part=keys.get("rows_per_part", ROWS_PER_PART),
         title=keys.get("title"),
@@ -157,7 +168,7 @@ def _key_problems(key: str, value: Any) -> Iterator[str]:
         yield f"unknown key{_nearest(key, KEYS)}; known: {', '.join(KEYS)}"
         return
     words, wanted = KEYS[key]
-    if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is int):
+    if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is not bool):
         yield f"must be {words}, got {json.dumps(value)}"
     elif key == "format" and value > FORMAT:
         yield f"format {value} is newer than format {FORMAT}, the newest known here"

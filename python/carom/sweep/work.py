@@ -31,6 +31,8 @@ def outcomes_of_table(
     outcomes: Sequence[str] = ("final_position",),
     *,
     threads: int | None = None,
+    equilibrate: float = 0.0,
+    sample_interval: float | None = None,
 ) -> pyarrow.Table:
     """Run a scenario once for each row of a table, and give the rows with what came out.
 
@@ -47,6 +49,8 @@ def outcomes_of_table(
         What to keep of each run; see `Scenario.ensemble`.
     threads : int, optional
         On how many threads; absent: as many as there are cores. Where others share the machine, 1.
+    equilibrate, sample_interval : float, optional
+        When gases are observed; see `Scenario.run`.
 
     Returns
     -------
@@ -70,7 +74,16 @@ def outcomes_of_table(
         for path in inputs.column_names
         if path != ROW
     }
-    native = native_ensemble(scenario, varied, outcomes, runs=None, design="independent", seed=0)
+    native = native_ensemble(
+        scenario,
+        varied,
+        outcomes,
+        runs=None,
+        design="independent",
+        seed=0,
+        equilibrate=equilibrate,
+        sample_interval=sample_interval,
+    )
     computed = compute(scenario, native, inputs, 2, threads=threads)
     if computed is None:
         raise KeyboardInterrupt

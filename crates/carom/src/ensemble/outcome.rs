@@ -2,9 +2,11 @@
 
 use super::ways::Ways;
 use crate::flight::Motion;
+use crate::observe::{NAMES, Observables, Request, Results};
 use crate::run::{Diagnostics, Dynamics, Event, Kind, Observer};
 use crate::scenario::schema::{Ball, Method};
 use crate::scenario::{Key, Problem, Scenario, ScenarioError, Step, parse, suggestion};
+use crate::simulate::{ObservedError, ObservedRun, Plan};
 
 /// Something about a run: one column, or one for each ball and component.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,6 +31,8 @@ pub enum Outcome {
     Distance,
     /// How near the centres of two balls, by their names, came to each other while both were in play.
     ClosestApproach([String; 2]),
+    /// What an observable found of a gas: its numbers, each with its standard error.
+    Observed(&'static str),
 }
 
 /// What the numbers of a column are.
@@ -55,6 +59,10 @@ pub struct Column {
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     outcomes: Vec<Outcome>,
+    /// What is observed, in the order of the outcomes.
+    pub(super) observed: Vec<Request>,
+    /// For each of these the names of its numbers.
+    quantities: Vec<Vec<&'static str>>,
     /// The pairs whose closest approach is asked for, in the order of the outcomes.
     pub(super) pairs: Vec<[usize; 2]>,
     pub(super) columns: Vec<Column>,
@@ -73,6 +81,8 @@ pub(super) struct Kept {
     pockets: Vec<f64>,
     /// The ways of the balls, where an outcome needs them.
     ways: Option<Ways>,
+    /// What was observed.
+    pub(super) results: Vec<Results>,
     /// At the end, the length of each ball's way.
     lengths: Vec<f64>,
     /// At the end, of each ball: how it moves where there is a cloth, place, velocity, spin.
@@ -80,7 +90,7 @@ pub(super) struct Kept {
 }
 
 impl Outcome {
-    /// Every outcome but those of pairs.
+    /// Every outcome but those of pairs and those that are observed.
     pub const ALL: [Self; 9] = [
         Self::EndTime,
         Self::Events,
@@ -106,13 +116,15 @@ impl Outcome {
             Self::Pockets => "pockets",
             Self::Distance => "distance",
             Self::ClosestApproach(_) => "closest_approach",
+            Self::Observed(name) => name,
         }
     }
 
     /// The outcome of that name; "closest_approach.red.blue" is one of a pair.
     pub fn from_name(name: &str) -> Option<Self> {
         let simple = Self::ALL.into_iter().find(|outcome| outcome.name() == name);
-        simple.or_else(|| match &parse(name).ok()?[..] {
+        let observed = || NAMES.into_iter().find(|known| *known == name).map(Self::Observed);
+        simple.or_else(observed).or_else(|| match &parse(name).ok()?[..] {
             [Step::Key(word), Step::Key(a), Step::Key(b)] if word == "closest_approach" => {
                 Some(Self::ClosestApproach([a.clone(), b.clone()]))
             }
@@ -120,8 +132,17 @@ impl Outcome {
         })
     }
 
+    fn request(&self) -> Option<Request> {
+        if let Self::Observed(name) = self { Some(Request::new(name)) } else { None }
+    }
+
     fn needs_cloth(&self) -> bool {
         matches!(self, Self::FinalSpin | Self::Pockets)
+    }
+
+    /// Whether a run has to be followed event by event for it, which an observed one is not.
+    fn needs_course(&self) -> bool {
+        self.needs_ways() || matches!(self, Self::FirstEvent | Self::LastEvent)
     }
 
     fn needs_ways(&self) -> bool {
@@ -155,6 +176,10 @@ impl Layout {
                 |ball: &Ball| suffixes.iter().map(|suffix| format!("{}.{suffix}", ball.id)).collect();
             scenario.balls.iter().flat_map::<Vec<String>, _>(of_ball).collect()
         };
+        let observed: Vec<Request> = outcomes.iter().filter_map(Outcome::request).collect();
+        let quantities =
+            if observed.is_empty() { Vec::new() } else { quantities_of(&scenario, outcomes, &observed)? };
+        let mut numbers = quantities.iter();
         let (mut columns, mut pairs) = (Vec::new(), Vec::new());
         for outcome in outcomes {
             let (names, meaning) = match outcome {
@@ -175,11 +200,17 @@ impl Layout {
                     let [a, b] = balls;
                     (vec![format!("closest_approach.{}.{}", Key(a), Key(b))], Meaning::Quantity)
                 }
+                Outcome::Observed(name) => {
+                    let both = |number: &&str| [format!("{name}.{number}"), format!("{name}.{number}.error")];
+                    (numbers.next().into_iter().flatten().flat_map(both).collect(), Meaning::Quantity)
+                }
             };
             columns.extend(names.into_iter().map(|name| Column { name, meaning }));
         }
         Ok(Self {
             outcomes: outcomes.to_vec(),
+            observed,
+            quantities,
             pairs,
             columns,
             kinds,
@@ -197,6 +228,7 @@ impl Layout {
             }
         };
         let mut pair = 0..;
+        let mut observed = self.quantities.iter().zip(&kept.results);
         for outcome in &self.outcomes {
             match outcome {
                 Outcome::EndTime => put(end_time),
@@ -216,6 +248,14 @@ impl Layout {
                     let nearest = |ways: &Ways| pair.next().map_or(f64::NAN, |pair| ways.nearest(pair));
                     put(kept.ways.as_ref().map_or(f64::NAN, nearest));
                 }
+                Outcome::Observed(_) => {
+                    if let Some((names, results)) = observed.next() {
+                        for quantity in names.iter().map(|name| results.quantity(name)) {
+                            put(quantity.and_then(|quantity| quantity.value).unwrap_or(f64::NAN));
+                            put(quantity.and_then(|quantity| quantity.error).unwrap_or(f64::NAN));
+                        }
+                    }
+                }
             }
         }
     }
@@ -228,6 +268,7 @@ impl Layout {
             last_event: f64::NAN,
             pockets: Vec::new(),
             ways: needs_ways.then(Ways::default),
+            results: Vec::new(),
             lengths: Vec::new(),
             numbers: Vec::new(),
         }
@@ -302,6 +343,29 @@ impl Kept {
             self.pockets[event.ball_a as usize] = f64::from(pocket);
         }
     }
+}
+
+/// The names of the numbers that some observables give of a gas, which one look at its start tells.
+fn quantities_of(
+    scenario: &Scenario,
+    outcomes: &[Outcome],
+    requests: &[Request],
+) -> Result<Vec<Vec<&'static str>>, ScenarioError> {
+    let problem = |message: String| ScenarioError::from(Problem::new("outcomes", message));
+    if let Some(outcome) = outcomes.iter().find(|outcome| outcome.needs_course()) {
+        let message =
+            format!("{}: goes with nothing that is observed, such as {}", outcome.name(), requests[0].name);
+        return Err(problem(message));
+    }
+    let look = || -> Result<Vec<Results>, ObservedError> {
+        let mut observables = Observables::new(requests)?;
+        let nothing = Observables::new(&[])?;
+        let mut run = ObservedRun::new(scenario, None, nothing, Plan::default())?;
+        observables.sample(&run.snapshot())?;
+        Ok(observables.results())
+    };
+    let results = look().map_err(|error| problem(error.to_string()))?;
+    Ok(results.iter().map(|found| found.quantities.iter().map(|number| number.name).collect()).collect())
 }
 
 /// The places of two balls.

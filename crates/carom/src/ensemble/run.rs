@@ -6,6 +6,7 @@ use super::runner::{RowError, Runner};
 use crate::run::{Dynamics, OnCloth, Status};
 use crate::scenario::schema::{Method, Record};
 use crate::scenario::{Problem, Scenario, ScenarioError, Template, Velocities};
+use crate::simulate::Sampling;
 use core::ops::Range;
 use core::time::Duration;
 use rayon::prelude::*;
@@ -33,6 +34,7 @@ pub struct Ensemble {
     record: Option<Record>,
     velocities: Option<Velocities>,
     layout: Layout,
+    sampling: Sampling,
 }
 
 /// What became of a row.
@@ -89,11 +91,19 @@ impl Ensemble {
         let record = if scenario.method == Method::Exact { Record::None } else { Record::Events };
         let template = Template::new(scenario, inputs.paths(), record)?;
         let base = first_scenario(&template, &inputs)?;
-        let velocities = Velocities::new(&base, inputs.paths());
         let cushions =
             if base.has_cloth() { <OnCloth as Dynamics<f64>>::system(&base).place_of(0) } else { 0 };
         let layout = Layout::new(&base, outcomes, cushions)?;
-        Ok(Self { inputs, template, base, record: scenario.record, velocities, layout })
+        let is_observed = !layout.observed.is_empty();
+        let velocities = if is_observed { None } else { Velocities::new(&base, inputs.paths()) };
+        let (record, sampling) = (scenario.record, Sampling::default());
+        Ok(Self { inputs, template, base, record, velocities, layout, sampling })
+    }
+
+    /// The same, with gases observed at other times.
+    #[must_use]
+    pub fn sampled(self, sampling: Sampling) -> Self {
+        Self { sampling, ..self }
     }
 
     /// The columns of its tables.
@@ -154,7 +164,13 @@ impl Ensemble {
 
     fn run_all(&self, first: u64, table: &mut Table, shared: &Shared) {
         let begin = || Share {
-            runner: Runner::new(&self.template, &self.layout, &self.base, self.velocities.as_ref()),
+            runner: Runner::new(
+                &self.template,
+                &self.layout,
+                &self.base,
+                self.velocities.as_ref(),
+                self.sampling,
+            ),
             inputs: vec![0.0; self.inputs.paths().len()],
             outcomes: vec![0.0; self.layout.columns.len()],
         };
@@ -213,7 +229,7 @@ impl Shared {
     fn judge(&self, row: u64, outcome: Result<Option<Status>, RowError>) -> Ending {
         let (ending, error) = match outcome {
             Ok(status) => return status.map_or(Ending::NotRun, Ending::Ended),
-            Err(error @ RowError::Rejected(_)) => (Ending::Rejected, error),
+            Err(error @ (RowError::Rejected(_) | RowError::Unobserved(_))) => (Ending::Rejected, error),
             Err(error @ RowError::Failed(_)) => (Ending::Failed, error),
         };
         let mut problems = self.problems.lock().unwrap_or_else(PoisonError::into_inner);

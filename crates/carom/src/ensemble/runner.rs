@@ -2,9 +2,10 @@
 
 use super::outcome::{Kept, Layout};
 use crate::engine::Simulation;
+use crate::observe::Observables;
 use crate::run::{Dynamics, OnCloth, Plane, SimulationError, Status};
 use crate::scenario::{Scenario, ScenarioError, Template, Velocities};
-use crate::simulate::{Simulated, SimulationOf, limits_of};
+use crate::simulate::{ObservedError, Sampling, Simulated, SimulationOf, limits_of, simulate_observed};
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -17,6 +18,9 @@ pub(super) enum RowError {
     /// Its numbers make no scenario.
     #[error("{0}")]
     Rejected(#[from] ScenarioError),
+    /// The gas that they give cannot be observed.
+    #[error("{0}")]
+    Unobserved(ObservedError),
     /// The run broke an invariant.
     #[error("{0}")]
     Failed(#[from] SimulationError),
@@ -24,6 +28,7 @@ pub(super) enum RowError {
 
 /// What makes runs out of rows of numbers.
 pub(super) struct Runner<'a> {
+    sampling: Sampling,
     template: &'a Template,
     layout: &'a Layout,
     kept: Kept,
@@ -39,6 +44,7 @@ impl<'a> Runner<'a> {
         layout: &'a Layout,
         base: &Scenario,
         velocities: Option<&Velocities>,
+        sampling: Sampling,
     ) -> Self {
         let ball_ids: Vec<String> = base.expanded().balls.iter().map(|ball| ball.id.clone()).collect();
         let mut kept = layout.kept();
@@ -47,7 +53,7 @@ impl<'a> Runner<'a> {
             let system = Arc::new(<Plane as Dynamics<f64>>::system(base));
             (velocities.clone(), Simulation::new(system, limits_of(base, None), &mut kept))
         });
-        Self { template, layout, kept, ball_ids, again }
+        Self { sampling, template, layout, kept, ball_ids, again }
     }
 
     /// Runs a row of numbers and fills in the outcomes; `None` where it was broken off.
@@ -69,11 +75,39 @@ impl<'a> Runner<'a> {
             return Ok(status);
         }
         let scenario = self.template.with(numbers)?;
+        if !self.layout.observed.is_empty() {
+            return self.observe(&scenario, out, interrupted);
+        }
         if scenario.has_cloth() {
             self.run_anew::<OnCloth>(&scenario, out, interrupted)
         } else {
             self.run_anew::<Plane>(&scenario, out, interrupted)
         }
+    }
+
+    /// Runs a gas and observes it.
+    fn observe(
+        &mut self,
+        scenario: &Scenario,
+        out: &mut [f64],
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<Option<Status>, RowError> {
+        let observables = Observables::new(&self.layout.observed).map_err(ObservedError::from);
+        let observed = observables.and_then(|observables| {
+            simulate_observed(scenario, None, observables, &self.sampling, &mut |_| interrupted())
+        });
+        let (run, observables) = observed.map_err(|error| match error {
+            ObservedError::Simulation(error) => RowError::Failed(error),
+            other => RowError::Unobserved(other),
+        })?;
+        if run.status == Status::Interrupted {
+            return Ok(None);
+        }
+        self.kept.results = observables.results();
+        self.kept.keep_end::<Plane>(run.end_time, run.final_state().into_iter());
+        self.kept.reorder(&run.system.ball_ids, &self.ball_ids);
+        self.layout.fill(out, run.end_time, &run.diagnostics, &self.kept);
+        Ok(Some(run.status))
     }
 
     fn run_anew<D: Simulated>(
