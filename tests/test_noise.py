@@ -96,6 +96,9 @@ def test_any_question_to_the_runs_may_be_the_goal() -> None:
 def test_the_interval_is_wilsons() -> None:
     from carom.noise import _wilson
 
-    # L. D. Brown, T. T. Cai, A. DasGupta, Statist. Sci. 16 (2001): 0 of 10 and 5 of 10 at 95 %.
-    assert _wilson(0, 10, 1.959964) == pytest.approx((0.0, 0.277533), abs=1e-6)
-    assert _wilson(5, 10, 1.959964) == pytest.approx((0.236593, 0.763407), abs=1e-6)
+    # In closed form: z²/(n + z²) where nothing was met, 1/2 ± z/2√(n + z²) where half was.
+    z = 1.959964
+    assert _wilson(0, 10, z) == pytest.approx((0.0, z**2 / (10 + z**2)), rel=1e-14)
+    assert _wilson(10, 10, z) == pytest.approx((10 / (10 + z**2), 1.0), rel=1e-14)
+    half = z / 2 / np.sqrt(10 + z**2)
+    assert _wilson(5, 10, z) == pytest.approx((0.5 - half, 0.5 + half), rel=1e-14)

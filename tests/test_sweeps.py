@@ -13,34 +13,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from sweep_files import BREAKS, MIDTERM, contents
 
 import carom
 
 pytest.importorskip("pyarrow")
 import pyarrow.parquet
-
-MIDTERM = """
-scenario = "midterm"
-runs = 1000
-seed = 7
-outcomes = ["events", "end_time", "final_position"]
-rows_per_part = 300
-
-[vary]
-"balls.red.speed" = { normal = { mean = 5, standard_deviation = 4 } }
-balls.red.direction_deg = { uniform = { low = 0, high = 90 } }
-"""
-
-BREAKS = """
-scenario = "nine_ball_break"
-runs = 20000
-seed = 3
-outcomes = ["pockets", "end_time"]
-rows_per_part = 500
-
-[vary]
-"shot.V0" = { normal = { mean = 8, standard_deviation = 0.2 } }
-"""
 
 
 @pytest.fixture
@@ -51,11 +29,6 @@ def write(tmp_path: Path) -> Callable[[str], Path]:
         return path
 
     return written
-
-
-def contents(folder: Path) -> dict[str, bytes]:
-    """Give all that is in a folder, hidden files too."""
-    return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
 def table_of(folder: Path) -> Any:

@@ -14,6 +14,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sweep_files
+from sweep_files import contents
 
 import carom
 from carom.sweep import dataset, on_dask
@@ -21,33 +23,8 @@ from carom.sweep import dataset, on_dask
 pyarrow = pytest.importorskip("pyarrow")
 distributed = pytest.importorskip("distributed")
 
-MIDTERM = """
-scenario = "midterm"
-runs = 1000
-seed = 7
-outcomes = ["events", "end_time", "final_position"]
-rows_per_part = 60
-
-[vary]
-"balls.red.speed" = { normal = { mean = 5, standard_deviation = 4 } }
-balls.red.direction_deg = { uniform = { low = 0, high = 90 } }
-"""
-
-BREAKS = """
-scenario = "nine_ball_break"
-runs = 4000
-seed = 3
-outcomes = ["pockets", "end_time"]
-rows_per_part = 100
-
-[vary]
-"shot.V0" = { normal = { mean = 8, standard_deviation = 0.2 } }
-"""
-
-
-def contents(folder: Path) -> dict[str, bytes]:
-    """Give all that is in a folder, hidden files too."""
-    return {path.name: path.read_bytes() for path in folder.iterdir()}
+MIDTERM = sweep_files.MIDTERM.replace("rows_per_part = 300", "rows_per_part = 60")
+BREAKS = sweep_files.BREAKS.replace("runs = 20000", "runs = 4000").replace("rows_per_part = 500", "rows_per_part = 100")
 
 
 @pytest.fixture

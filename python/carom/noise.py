@@ -66,8 +66,8 @@ class ExecutionNoise:
     def preset(cls, name: str) -> ExecutionNoise:
         """Give published noise, in SI units.
 
-        ``pool_tournament`` is that of the computational pool tournaments of the Computer Olympiads of 2005 and 2006,
-        as FastFiz has it: 0.5 mm, 0.5 mm, 0.1°, 0.125° and 0.075 m/s.
+        ``pool_tournament`` is that of the computational pool tournaments that FastFiz was made for: 0.5 mm and 0.5 mm
+        of the tip's place, 0.1° of elevation, 0.125° of direction, 0.075 m/s.
 
         Raises
         ------

@@ -24,7 +24,7 @@ pub use verify::{Difference, verify};
 pub const DEFAULT_MAX_EVENTS: u64 = 10_000_000;
 
 /// Steps between two looks at whether a run should be broken off.
-const SLICE: u64 = 50_000;
+pub(crate) const SLICE: u64 = 50_000;
 
 /// A dynamics that a scenario can be run with.
 pub trait Simulated: Dynamics<f64> {

@@ -20,6 +20,8 @@ from carom.cli.output import print_json, print_table, say_error
 if TYPE_CHECKING:
     from types import FrameType
 
+    from rich.progress import Progress
+
     from carom.observables import Observable, Observables
     from carom.run import Run
 
@@ -76,6 +78,21 @@ def waiting(words: str) -> Iterator[None]:
         yield
 
 
+def _progress() -> Progress:
+    """Give a bar on stderr with words, a speed and the time left, which goes when it is done."""
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TaskProgressColumn(),
+        TextColumn("{task.fields[speed]}"),
+        TimeRemainingColumn(),
+    )
+    return Progress(*columns, console=Console(stderr=True), transient=True)
+
+
 @contextmanager
 def bar(most: int | None, end: float | None, already: int = 0) -> Iterator[Callable[[float, int, int], None]]:
     """Show on a terminal how far the run has come, at what speed, and how long it will take.
@@ -90,17 +107,7 @@ def bar(most: int | None, end: float | None, already: int = 0) -> Iterator[Calla
     if not sys.stderr.isatty():
         yield lambda *_: None
         return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
-
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        TaskProgressColumn(),
-        TextColumn("{task.fields[speed]}"),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+    with _progress() as progress:
         task = progress.add_task("to equilibrium", total=1.0, speed="")
         began = progress.get_time()
 
@@ -119,17 +126,7 @@ def counting(words: str, unit: str) -> Iterator[Callable[[int, int], None]]:
     if not sys.stderr.isatty():
         yield lambda *_: None
         return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
-
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        TaskProgressColumn(),
-        TextColumn("{task.fields[speed]}"),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+    with _progress() as progress:
         task = progress.add_task(words, total=None, speed="")
         first: list[tuple[float, int]] = []
 

@@ -7,10 +7,10 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from carom import _engine
-from carom.ensemble import Grid, Normal, Uniform, Varied
+from carom.ensemble import Design, Grid, Normal, Uniform, Varied
 from carom.errors import ScenarioError
 from carom.files import read_text
 from carom.library import format_of
@@ -18,7 +18,7 @@ from carom.scenario import Scenario, load
 
 FORMAT = 1
 ROWS_PER_PART = 1 << 18
-DESIGNS = ("independent", "latin_hypercube", "sobol")
+DESIGNS = get_args(Design)
 
 KEYS: dict[str, tuple[str, Any]] = {
     "format": ("a whole number", int),

@@ -91,15 +91,13 @@ impl<S: Scalar> Discs<S> {
         let line = &mut self.balls[ball];
         grid.cross(line, side);
         let [across, along] = line.rounds.map(i16::unsigned_abs);
-        if !self.is_plain {
-            Grid::note_fall(&mut self.rest[ball], side);
-        }
         if across.max(along) >= MOST_ROUNDS.unsigned_abs() {
             self.begin_round(ball, time);
             return;
         }
         let finer = grid.finer(count);
         if !self.is_plain || finer.is_some() {
+            Grid::note_fall(&mut self.rest[ball], side);
             if let Some(finer) = finer {
                 self.move_to(finer, time);
             }

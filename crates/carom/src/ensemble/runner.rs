@@ -5,12 +5,11 @@ use crate::engine::Simulation;
 use crate::observe::Observables;
 use crate::run::{Dynamics, OnCloth, Plane, SimulationError, Status};
 use crate::scenario::{Scenario, ScenarioError, Template, Velocities};
-use crate::simulate::{ObservedError, Sampling, Simulated, SimulationOf, limits_of, simulate_observed};
+use crate::simulate::{
+    ObservedError, SLICE, Sampling, Simulated, SimulationOf, limits_of, simulate_observed,
+};
 use std::sync::Arc;
 use thiserror::Error;
-
-/// Steps between two looks at whether a run should be broken off.
-const SLICE: u64 = 50_000;
 
 /// Why a row has no outcomes.
 #[derive(Debug, Error)]
@@ -103,6 +102,7 @@ impl<'a> Runner<'a> {
         if run.status == Status::Interrupted {
             return Ok(None);
         }
+        self.kept.clear(run.system.ball_ids.len(), &[]);
         self.kept.results = observables.results();
         self.kept.keep_end::<Plane>(run.end_time, run.final_state().into_iter());
         self.kept.reorder(&run.system.ball_ids, &self.ball_ids);

@@ -66,7 +66,7 @@ impl Velocities {
     pub fn new(scenario: &Scenario, paths: &[String]) -> Option<Self> {
         let scenario = &*scenario.expanded();
         let has_end = scenario.duration.is_some() || scenario.collisions.is_some();
-        if scenario.has_cloth() || scenario.method != Method::Exact || scenario.gas.is_some() || !has_end {
+        if scenario.has_cloth() || scenario.method != Method::Exact || !has_end {
             return None;
         }
         let mut places =
