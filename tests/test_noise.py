@@ -1,5 +1,7 @@
 """Execution noise, and how sure a shot is under it."""
 
+import signal
+import threading
 from typing import Any
 
 import numpy as np
@@ -102,3 +104,13 @@ def test_the_interval_is_wilsons() -> None:
     assert _wilson(10, 10, z) == pytest.approx((10 / (10 + z**2), 1.0), rel=1e-14)
     half = z / 2 / np.sqrt(10 + z**2)
     assert _wilson(5, 10, z) == pytest.approx((0.5 - half, 0.5 + half), rel=1e-14)
+
+
+def test_after_ctrl_c_only_finished_strokes_count() -> None:
+    timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
+    timer.start()
+    pot = straight_in().success(lambda table: np.ones(len(table), dtype=bool), NOISE, runs=300_000, outcomes=[])
+    timer.join()
+    assert not pot.table.is_complete
+    assert 0 < pot.runs == pot.table.has_outcome.sum() < 300_000
+    assert (pot.hits, pot.probability, pot.high) == (pot.runs, 1.0, 1.0)

@@ -4,24 +4,17 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from statistics import NormalDist
 from typing import TYPE_CHECKING, Any
 
 from carom.ensemble import Ensemble, Normal
 from carom.errors import ScenarioError
+from carom.goal import Goal, is_met, outcomes_for
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from carom.scenario import Scenario
-else:
-    from carom import arrays as np
-
-Goal = str | Callable[[Ensemble], Any]
-"""A ball that is to be in a pocket while the cue ball is not, or a function that says of each run whether it is met."""
 
 WORDS: dict[str, tuple[str, str]] = {
     "speed": ("V0", "cue_speed"),
@@ -93,9 +86,7 @@ class ExecutionNoise:
         ScenarioError
             When the scenario has no shot.
         """
-        shot: Mapping[str, Any] | None = scenario.to_dict().get("shot")
-        if shot is None:
-            raise ScenarioError([("shot", "missing: only a shot has execution noise")])
+        shot = _shot_of(scenario, "only a shot has execution noise")
         balls = {ball["id"]: ball for ball in json.loads(scenario._native.balls())}
         radius = balls[shot.get("cue_ball", "cue")]["radius"]
         is_plain = "cue_speed" in shot
@@ -126,7 +117,7 @@ class Success:
     level : float
         How sure that is.
     hits, runs : int
-        How many runs met the goal, and how many there were.
+        How many runs met the goal, and how many there were: after Ctrl-C those that were finished.
     table : Ensemble
         The runs.
     """
@@ -156,30 +147,60 @@ def success(
     threads: int | None,
 ) -> Success:
     """Tell how sure a shot is; see `Scenario.success`."""
+    check_level(level)
+    wanted = outcomes_for(goal, outcomes)
+    table = scenario.ensemble(noise.around(scenario), wanted, runs=runs, seed=seed, threads=threads)
+    played, hits = int(table.has_outcome.sum()), int(is_met(table, goal).sum())
+    if played == 0 and not table.is_complete:
+        raise KeyboardInterrupt
+    return Success(*share(hits, played, level), level, hits, played, table)
+
+
+def meant(scenario: Scenario, paths: Collection[str]) -> dict[str, float]:
+    """Give the numbers of a scenario's shot at paths; those that a shot may leave out are 0.
+
+    Raises
+    ------
+    ScenarioError
+        When there is no shot, or a path leads to no number of it.
+    """
+    shot = _shot_of(scenario, "only a shot is aimed")
+    other = {f"shot.{one}": two for pair in WORDS.values() for one, two in (pair, pair[::-1])}
+    problems = []
+    for path in paths:
+        if path not in other:
+            problems.append((path, f"is no number of a shot to aim with; known: {', '.join(other)}"))
+        elif other[path] in shot:
+            problems.append((path, f"the shot says it in the other word, shot.{other[path]}"))
+    if problems:
+        raise ScenarioError(problems)
+    return {path: float(shot.get(path.removeprefix("shot."), 0.0)) for path in paths}
+
+
+def bounds_of(path: str) -> tuple[float, float]:
+    """Give the bounds of what stands at a path of a shot."""
+    found = (bounds for name, bounds in BOUNDS.items() if path.removeprefix("shot.") in WORDS[name])
+    return next(found, (-math.inf, math.inf))
+
+
+def check_level(level: float) -> None:
+    """Refuse how sure an interval is to be where it is no probability."""
     if not 0.0 < level < 1.0:
         raise ValueError(f"level: must be between 0 and 1, got {level}")
-    wanted = list(dict.fromkeys([*outcomes, "pockets"] if isinstance(goal, str) else outcomes))
-    table = scenario.ensemble(noise.around(scenario), wanted, runs=runs, seed=seed, threads=threads)
-    met = np.asarray(_potted(table, goal) if isinstance(goal, str) else goal(table))
-    if met.shape != (runs,) or met.dtype != np.bool_:
-        raise TypeError(f"goal: must give {runs} booleans, one for each run; got {met.dtype} of the shape {met.shape}")
-    hits = int(met.sum())
-    low, high = _wilson(hits, runs, NormalDist().inv_cdf(0.5 + level / 2.0))
-    return Success(hits / runs, low, high, level, hits, runs, table)
 
 
-def _potted(table: Ensemble, ball: str) -> NDArray[np.bool_]:
-    cue = table.scenario.to_dict()["shot"].get("cue_ball", "cue")
-    name = f"{ball}.pocket"
-    if name not in table:
-        known = [column.removesuffix(".pocket") for column in table.names if column.endswith(".pocket")]
-        raise ScenarioError([("goal", f"there is no ball {ball!r}; known: {', '.join(known)}")])
-    potted = _in_pocket(table[name])
-    return potted if ball == cue else potted & ~_in_pocket(table[f"{cue}.pocket"])
+def share(hits: int, runs: int, level: float) -> tuple[float, float, float]:
+    """Give the share of runs that met a goal, with Wilson's interval; of no runs nothing is known."""
+    if runs == 0:
+        return math.nan, 0.0, 1.0
+    return hits / runs, *_wilson(hits, runs, NormalDist().inv_cdf(0.5 + level / 2.0))
 
 
-def _in_pocket(pockets: NDArray[Any]) -> NDArray[np.bool_]:
-    return np.array([pocket is not None for pocket in pockets], dtype=np.bool_)
+def _shot_of(scenario: Scenario, why: str) -> Mapping[str, Any]:
+    shot: Mapping[str, Any] | None = scenario.to_dict().get("shot")
+    if shot is None:
+        raise ScenarioError([("shot", f"missing: {why}")])
+    return shot
 
 
 def _wilson(hits: int, runs: int, quantile: float) -> tuple[float, float]:
