@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from carom._engine import PHYSICS_VERSION, __version__, schema
     from carom.ball import Ball
+    from carom.best_aim import AimTable, BestAim
     from carom.cite import citation
     from carom.columns import ColumnTable
     from carom.comparison import (
@@ -71,10 +72,12 @@ if TYPE_CHECKING:
     from carom.simulation import Candidate, Simulation
     from carom.sweep import Sweep, SweepResult, outcomes_of_table
     from carom.table import Arc, Circle, Line, Mouth, Path, Pocket, Table, Wall
+    from carom.tolerance import Margin, Tolerance
 
 _HOMES = {
     "_engine": ["PHYSICS_VERSION", "__version__", "schema"],
     "ball": ["Ball"],
+    "best_aim": ["AimTable", "BestAim"],
     "cite": ["citation"],
     "columns": ["ColumnTable"],
     "comparison": [
@@ -130,13 +133,16 @@ _HOMES = {
     "simulation": ["Candidate", "Simulation"],
     "sweep": ["Sweep", "SweepResult", "outcomes_of_table"],
     "table": ["Arc", "Circle", "Line", "Mouth", "Path", "Pocket", "Table", "Wall"],
+    "tolerance": ["Margin", "Tolerance"],
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
     "PHYSICS_VERSION",
+    "AimTable",
     "Arc",
     "Ball",
+    "BestAim",
     "ByIncidence",
     "BySpeed",
     "Candidate",
@@ -163,6 +169,7 @@ __all__ = [
     "Grid",
     "Han2005",
     "Line",
+    "Margin",
     "Mathavan2010",
     "Mathavan2014",
     "MissingExtraError",
@@ -196,6 +203,7 @@ __all__ = [
     "Sweep",
     "SweepResult",
     "Table",
+    "Tolerance",
     "TrajectoryComparison",
     "TrajectoryError",
     "Uniform",

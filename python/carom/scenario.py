@@ -21,12 +21,14 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
+    from carom.best_aim import BestAim
     from carom.cue import Cue, Shot
     from carom.ensemble import Design, Ensemble, Grid, Invalid, Varied
     from carom.ensemble import Progress as EnsembleProgress
     from carom.events import Event
+    from carom.goal import Goal
     from carom.method import Method
-    from carom.noise import ExecutionNoise, Goal, Success
+    from carom.noise import ExecutionNoise, Success
     from carom.observables import Progress, Request
     from carom.physics import Physics
     from carom.rack import Rack
@@ -34,6 +36,7 @@ if TYPE_CHECKING:
     from carom.run import Run
     from carom.simulation import Simulation
     from carom.table import Table
+    from carom.tolerance import Tolerance
 
 
 class Scenario:
@@ -559,12 +562,19 @@ class Scenario:
         threads : int, optional
             On how many threads; absent: as many as there are cores.
 
+        Returns
+        -------
+        Success
+            After Ctrl-C it is of the strokes that were finished.
+
         Raises
         ------
         ScenarioError
             When there is no shot, or no such ball.
         TypeError
             When a function gives no booleans.
+        KeyboardInterrupt
+            When no stroke was finished.
 
         Examples
         --------
@@ -577,6 +587,133 @@ class Scenario:
         from carom.noise import success
 
         return success(self, goal, noise, runs=runs, outcomes=outcomes, seed=seed, level=level, threads=threads)
+
+    def best_aim(
+        self,
+        aims: Mapping[str, ArrayLike] | Grid,
+        goal: Goal,
+        noise: ExecutionNoise,
+        *,
+        runs: int = 200,
+        outcomes: Sequence[str] = ("pockets",),
+        seed: int = 0,
+        level: float = 0.95,
+        threads: int | None = None,
+        progress: EnsembleProgress | None = None,
+    ) -> BestAim:
+        """Find what to mean so that a goal is met most often, for someone whose strokes scatter.
+
+        At each point of a grid of shots the goal is met as often as `success` says there with the same seed. So all
+        points have the same luck, and differ by what is meant.
+
+        Parameters
+        ----------
+        aims : mapping of str to (n,) array_like, or Grid
+            The numbers to try at paths such as ``shot.phi_deg``, each with each of the others.
+        goal : str or callable
+            As of `success`. A function gets the runs of several points at once, and judges them row by row.
+        noise : ExecutionNoise
+            How far the strokes scatter about each point.
+        runs : int, optional
+            How many strokes to try at each point.
+        outcomes, seed, level, threads
+            As of `success`.
+        progress : callable, optional
+            Called now and then with the number of runs done and of all; what is true ends the search.
+
+        Returns
+        -------
+        BestAim
+            The best point, and the table of all. After Ctrl-C, or where `progress` ends it, the best of those points
+            that were finished.
+
+        Raises
+        ------
+        ScenarioError
+            When there is no shot or no such ball, a path leads to no number of the shot, the grid is empty, or a stroke
+            makes no scenario.
+        TypeError
+            When a function gives no booleans.
+        KeyboardInterrupt
+            When it was ended before any point was finished.
+
+        Examples
+        --------
+        >>> import carom
+        >>> noise = carom.ExecutionNoise.preset("pool_tournament")
+        >>> shot = carom.load("two_ball_shot")
+        >>> best = shot.best_aim({"shot.phi_deg": [85, 90, 95]}, "1", noise, runs=20)
+        >>> best.hits == best.scenario.success("1", noise, runs=20).hits
+        True
+        """
+        from carom.best_aim import best_aim
+
+        return best_aim(
+            self,
+            aims,
+            goal,
+            noise,
+            runs=runs,
+            outcomes=outcomes,
+            seed=seed,
+            level=level,
+            threads=threads,
+            progress=progress,
+        )
+
+    def tolerance(
+        self,
+        reach: Mapping[str, float],
+        goal: Goal,
+        noise: ExecutionNoise | None = None,
+        *,
+        cells: int = 50,
+        steps: int = 500,
+        outcomes: Sequence[str] = ("pockets",),
+        threads: int | None = None,
+    ) -> Tolerance:
+        """Tell how far off this shot may be before a goal is missed.
+
+        Parameters
+        ----------
+        reach : mapping of str to float
+            How far to look on either side of the meant shot, at two paths such as ``shot.phi_deg``.
+        goal : str or callable
+            As of `success`.
+        noise : ExecutionNoise, optional
+            What the map shows the ellipses of; the shots themselves have none.
+        cells : int, optional
+            So many cells the map has on either side of the meant shot.
+        steps : int, optional
+            In so many steps on either side it is found how far each number alone may be off.
+        outcomes, threads
+            As of `success`.
+
+        Returns
+        -------
+        Tolerance
+            The margins of each number, and the table of the map. After Ctrl-C the map may have holes.
+
+        Raises
+        ------
+        ScenarioError
+            When there is no shot or no such ball, or a path leads to no number of the shot.
+        ValueError
+            When there are not two numbers, or no cells or steps.
+        TypeError
+            When a function gives no booleans.
+
+        Examples
+        --------
+        >>> import carom
+        >>> shot = carom.load("two_ball_shot")
+        >>> found = shot.tolerance({"shot.V0": 0.5, "shot.phi_deg": 1}, "1", cells=3, steps=20)
+        >>> list(found.margins), len(found.table)
+        (['shot.V0', 'shot.phi_deg'], 49)
+        """
+        from carom.tolerance import tolerance
+
+        return tolerance(self, reach, goal, noise, cells=cells, steps=steps, outcomes=outcomes, threads=threads)
 
     def start(
         self,

@@ -4,6 +4,7 @@ Every figure takes `ax` (the filmstrip `axes`), draws there or on a new figure o
 returns where it drew. `save_figure` writes PNG, PDF or SVG.
 """
 
+from carom.figures.aims import plot_best_aim, plot_tolerance
 from carom.figures.distance import plot_distance
 from carom.figures.errors import plot_errors
 from carom.figures.filmstrip import filmstrip
@@ -18,6 +19,7 @@ __all__ = [
     "FORMATS",
     "figure_of",
     "filmstrip",
+    "plot_best_aim",
     "plot_distance",
     "plot_energy",
     "plot_errors",
@@ -29,5 +31,6 @@ __all__ = [
     "plot_scenario",
     "plot_speed",
     "plot_spin",
+    "plot_tolerance",
     "save_figure",
 ]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import matplotlib
 import numpy as np
@@ -18,9 +18,11 @@ from carom.units import unit_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
+    from matplotlib.lines import Line2D
     from numpy.typing import NDArray
 
-    from carom.ensemble import Ensemble, Grid
+    from carom.ensemble import Grid
+    from carom.scenario import Scenario
 
 MOST_CATEGORIES = 12
 """So many different words have a colour of their own, and so many whole numbers are drawn as such."""
@@ -33,12 +35,31 @@ WORDS = (*style.PALETTE, "#17324d", "#bfe3c0", "#5a1a2b", "#f3d9c4")
 QUANTITY_OF = {
     **dict.fromkeys(("end_time", "first_event", "last_event", "duration"), "time"),
     **dict.fromkeys(("x", "y", "z", "position", "radius", "width", "length"), "length"),
-    **dict.fromkeys(("vx", "vy", "vz", "velocity", "speed", "V0"), "speed"),
+    **dict.fromkeys(("vx", "vy", "vz", "velocity", "speed", "V0", "cue_speed"), "speed"),
     **dict.fromkeys(("wx", "wy", "wz"), "angular_velocity"),
     "mass": "mass",
     "acceleration": "acceleration",
 }
 """What the last word of a path or of a column is a quantity of."""
+
+
+class OnGrid(Protocol):
+    """A table with a row for each point of a grid: an ensemble, or the chances of aims."""
+
+    @property
+    def scenario(self) -> Scenario:
+        """The scenario that is varied."""
+
+    @property
+    def grid(self) -> Grid | None:
+        """The grid, where there is one."""
+
+    @property
+    def has_outcome(self) -> NDArray[np.bool_]:
+        """Which rows have outcomes."""
+
+    def __getitem__(self, name: str) -> Any:
+        """Give a column."""
 
 
 @dataclass(frozen=True)
@@ -63,9 +84,9 @@ class Cells:
     counts: tuple[int, ...] = ()
 
     @classmethod
-    def of(cls, ensemble: Ensemble, name: str) -> Cells:
+    def of(cls, table: OnGrid, name: str) -> Cells:
         """Read a column: words and few whole numbers as categories, other numbers as a quantity."""
-        column, has_outcome = ensemble[name], ensemble.has_outcome
+        column, has_outcome = table[name], table.has_outcome
         if column.dtype.kind == "O" and _are_numbers(column):
             # What a function gave, with None where there is no run.
             has_outcome = np.array([value is not None for value in column])
@@ -84,9 +105,7 @@ class Cells:
         return bool(np.ma.getmaskarray(self.values).any())
 
 
-def plot_map(
-    ensemble: Ensemble, column: str, x: str | None = None, y: str | None = None, ax: Axes | None = None
-) -> Axes:
+def plot_map(ensemble: OnGrid, column: str, x: str | None = None, y: str | None = None, ax: Axes | None = None) -> Axes:
     """Draw an outcome of an ensemble on a grid of two axes, a cell for each run.
 
     Words, and whole numbers of which there are at most twelve, have a colour each, which the legend names; words that
@@ -115,9 +134,20 @@ def plot_map(
     KeyError
         When there is no such column.
     """
-    grid, (along_y, along_x) = _axes(ensemble.grid, x, y)
-    cells = Cells.of(ensemble, column)
-    units = ensemble.scenario.expanded().to_dict().get("units", {})
+    return draw_cells(ensemble, Cells.of(ensemble, column), column, (x, y), ax)
+
+
+def draw_cells(
+    table: OnGrid,
+    cells: Cells,
+    name: str,
+    axes: tuple[str | None, str | None],
+    ax: Axes | None,
+    marks: Sequence[Line2D] = (),
+) -> Axes:
+    """Draw cells that have a name, and marks over them, and explain both; see `plot_map`."""
+    grid, (along_y, along_x) = axes_of(table.grid, *axes)
+    units = table.scenario.expanded().to_dict().get("units", {})
     ax = _new_axes() if ax is None else ax
     values = cells.values.reshape([len(numbers) for numbers in grid.values()])
     orders = {path: np.argsort(numbers, kind="stable") for path, numbers in grid.items()}
@@ -127,18 +157,20 @@ def plot_map(
     least, most = _limits(cells)
     # Unlike an image it is right on a logarithmic axis too; in PDF and SVG a million cells are dots, not paths.
     drawn = ax.pcolormesh(*edges, values, cmap=_colour_map(cells), vmin=least, vmax=most, rasterized=True)
+    for mark in marks:
+        ax.add_line(mark)
     ax.set(xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
     ax.tick_params(labelsize=style.TICK_SIZE, color=style.FAINT_INK, labelcolor=style.INK, length=3)
     for spine in ax.spines.values():
         spine.set_color(style.FAINT_INK)
     ax.set_xlabel(_label(along_x, units), fontsize=style.LABEL_SIZE)
     ax.set_ylabel(_label(along_y, units), fontsize=style.LABEL_SIZE)
-    ax.set_title(_plain(column), fontsize=style.TITLE_SIZE, loc="left")
-    _explain(ax, drawn, cells, _label(column, units))
+    ax.set_title(_plain(name), fontsize=style.TITLE_SIZE, loc="left")
+    _explain(ax, drawn, cells, _label(name, units), marks)
     return ax
 
 
-def _axes(grid: Grid | None, x: str | None, y: str | None) -> tuple[dict[str, NDArray[np.float64]], tuple[str, str]]:
+def axes_of(grid: Grid | None, x: str | None, y: str | None) -> tuple[dict[str, NDArray[np.float64]], tuple[str, str]]:
     """Give the two axes of a grid that have more than one number, and which path is y and which x."""
     if grid is None:
         raise ValueError("a map needs an ensemble on a carom.Grid; this one has numbers for each run, or draws them")
@@ -223,25 +255,26 @@ def _new_axes() -> Axes:
     return style.new_figure(width, height).add_axes((0.8 / width, 0.5 / height, 5.0 / width, 5.0 / height))
 
 
-def _explain(ax: Axes, drawn: ScalarMappable, cells: Cells, label: str) -> None:
+def _explain(ax: Axes, drawn: ScalarMappable, cells: Cells, label: str, marks: Sequence[Line2D]) -> None:
     """Say what the colours mean: by a colour bar, by a legend beside the map, or above where there is a bar."""
     names: Sequence[tuple[str, Any]] = list(zip(cells.categories or (), cells.colours, strict=True))
     names = [*names, *([(NO_OUTCOME, NO_OUTCOME_COLOUR)] if cells.misses_some else [])]
-    patches = [
+    handles: list[Any] = [
         Patch(facecolor=colour, edgecolor=style.FAINT_INK, linewidth=0.5, label=style.legend_name(name))
         for name, colour in names
     ]
+    handles += marks
     look: Mapping[str, Any] = {"fontsize": style.TICK_SIZE, "frameon": False, "handlelength": 1.0, "handleheight": 1.0}
     if cells.categories is not None:
-        ax.legend(handles=patches, loc="upper left", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.4, **look)
+        ax.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.4, **look)
         return
     if cells.values.count():
         bar = ax.figure.colorbar(drawn, cax=ax.inset_axes((1.03, 0.0, 0.045, 1.0)))
         bar.set_label(label, fontsize=style.LABEL_SIZE)
         bar.ax.tick_params(labelsize=style.TICK_SIZE, color=style.FAINT_INK, labelcolor=style.INK, length=3)
         bar.outline.set_edgecolor(style.FAINT_INK)
-    if patches:
-        ax.legend(handles=patches, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2, **look)
+    if handles:
+        ax.legend(handles=handles, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2, **look)
 
 
 def _label(name: str, units: Mapping[str, str]) -> str:
