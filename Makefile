@@ -12,7 +12,12 @@ SCENARIOS := $(wildcard scenarios/*)
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build run check-engine test test-rust test-python lint lint-rust lint-python format docs licences
+PAGE_ENGINE := web/engine/carom_wasm.js
+BINDGEN_VERSION := $(shell sed -n 's/^wasm-bindgen = "=\(.*\)"/\1/p' crates/carom-wasm/Cargo.toml)
+BINDGEN := target/wasm-bindgen-$(BINDGEN_VERSION)/bin/wasm-bindgen
+PAGE := $(shell find web -type f -not -path '*/node_modules/*' -not -path 'web/dist/*' -not -path 'web/engine/*' 2>/dev/null)
+
+.PHONY: help build run page test-page check-engine test test-rust test-python lint lint-rust lint-python format docs licences
 .PHONY: pictures third-party bench bench-gas bench-pooltool campaign campaign-gas digests checkpoint wheel wheel-check floors clean
 
 help: ## List these commands
@@ -25,6 +30,13 @@ run: build ## Run the exercise both ways into out/midterm/
 	$(BIN)/carom run midterm --out out/midterm/exact --overwrite
 	$(BIN)/carom run midterm --method stepped --dt 0.03 --out out/midterm/stepped --overwrite
 
+page: web/dist/index.html ## Build the page of the studio into web/dist/
+
+test-page: page ## Run the page's tests in Chromium, and check its format, lints and types
+	@$(need_chromium)
+	cd web && npm run --silent check
+	cd web && npm run --silent test
+
 check-engine: ## Check the engine while you work on it: format, lints, laws, scenarios, digests
 	@$(need_rust)
 	$(CARGO) fmt --all --check
@@ -32,7 +44,7 @@ check-engine: ## Check the engine while you work on it: format, lints, laws, sce
 	$(CARGO) test --locked --quiet -p carom --lib --test arrows --test scenario --test digests
 	$(CARGO) test --locked --quiet -p carom --test engine -- laws references closed_forms
 
-test: test-rust test-python lint docs ## Run every test and lint, and build the site
+test: test-rust test-python test-page lint docs ## Run every test and lint, and build the site
 
 test-rust: ## Run the engine's tests, the golden digests in an unoptimised build too
 	@$(need_rust)
@@ -129,7 +141,7 @@ floors: wheel ## Run the package's tests with the oldest supported Python packag
 	tests/packaging/floors.sh $(FLOOR_PYTHON) dist
 
 clean: ## Remove everything that was built
-	rm -rf target $(VENV) $(POOLTOOL) out dist site docs/pictures docs/reference/api .pytest_cache .ruff_cache .mypy_cache .hypothesis
+	rm -rf target web/node_modules web/engine web/dist $(VENV) $(POOLTOOL) out dist site docs/pictures docs/reference/api .pytest_cache .ruff_cache .mypy_cache .hypothesis
 	rm -f python/carom/_engine*.so
 	find python tests -name __pycache__ -type d -prune -exec rm -rf {} +
 
@@ -139,6 +151,17 @@ need_rust = command -v $(CARGO) >/dev/null \
 	|| { echo "Carom's engine is built with Rust 1.89 or newer: https://rustup.rs says how to get it"; exit 1; }
 need_python = $(PYTHON) -c 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 10))' 2>/dev/null \
 	|| { echo "Carom needs Python 3.10 or newer with venv (on Debian: python3-venv); name one with make PYTHON=..."; exit 1; }
+
+need_node = node -e 'const [a, b] = process.versions.node.split("."); process.exit(a < 20 || (a == 20 && b < 19))' 2>/dev/null \
+	|| { echo "The page is built with Node.js 20.19 or newer and its npm: https://nodejs.org says how to get it"; exit 1; }
+need_wasm = rustc --print target-libdir --target wasm32-unknown-unknown 2>/dev/null | xargs ls >/dev/null 2>&1 \
+	|| rustup target add wasm32-unknown-unknown \
+	|| { echo "The page needs Rust's target wasm32-unknown-unknown: rustup target add wasm32-unknown-unknown"; exit 1; }
+# The page is tested in Chromium. Only root, as in a container, gets it installed; others are told.
+need_chromium = command -v chromium >/dev/null \
+	|| { [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null \
+		&& { apt-get update -qq; apt-get install -qq --no-install-recommends chromium >/dev/null; }; } \
+	|| { echo "The page is tested in Chromium; on Debian: apt-get install chromium"; exit 1; }
 
 # The MATLAB example is run by Octave. Only root, as in a container, gets it installed; others are told.
 want_octave = command -v octave-cli >/dev/null \
@@ -161,6 +184,25 @@ $(VENV)/.built: $(VENV)/.tools $(RUST) Cargo.toml Cargo.lock $(SCENARIOS)
 	@$(need_rust)
 	VIRTUAL_ENV="$(CURDIR)/$(VENV)" $(BIN)/maturin develop --release --locked --extras all
 	@touch $@
+
+web/dist/index.html: $(PAGE_ENGINE) web/node_modules/.package-lock.json $(PAGE) $(SCENARIOS)
+	cd web && npm run --silent build
+
+web/node_modules/.package-lock.json: web/package-lock.json
+	@$(need_node)
+	cd web && npm ci --silent
+	@touch $@
+
+$(PAGE_ENGINE): $(BINDGEN) $(RUST) Cargo.toml Cargo.lock
+	@$(need_rust)
+	@$(need_wasm)
+	$(CARGO) build --locked --profile page -p carom-wasm --target wasm32-unknown-unknown
+	$(BINDGEN) target/wasm32-unknown-unknown/page/carom_wasm.wasm --target web --out-dir web/engine
+
+# A tool of an unoptimised build is there much sooner, and fast enough.
+$(BINDGEN):
+	@$(need_rust)
+	$(CARGO) install --quiet --locked --debug --root target/wasm-bindgen-$(BINDGEN_VERSION) --version $(BINDGEN_VERSION) wasm-bindgen-cli
 
 # pooltool pins a panda3d that no registry has, so nothing here is resolved: the file names every package.
 $(POOLTOOL)/.built: benches/pooltool/requirements.txt

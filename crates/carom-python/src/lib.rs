@@ -8,7 +8,6 @@ mod ensemble;
 mod errors;
 mod interrupt;
 mod observe;
-mod outline;
 mod run;
 mod scenario;
 mod simulation;

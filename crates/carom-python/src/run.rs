@@ -7,14 +7,14 @@ use crate::errors::{
 use crate::interrupt::interruptible;
 use crate::scenario::{Scenario, options};
 use crate::states::{Moving, vectors};
-use carom::run::{self, Digest, Kind, OnCloth, PHYSICS_VERSION, QueryError};
+use carom::run::{self, Digest, OnCloth, PHYSICS_VERSION, QueryError};
 use carom::scenario::Scenario as Checked;
 use carom::simulate::{self, AnyRun, Simulated};
 use carom::with_any;
 use numpy::{Element, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use serde_json::{Value, json};
+use serde_json::json;
 
 type States<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>);
 type Spins<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray2<i8>>);
@@ -174,18 +174,8 @@ impl Run {
 
     /// What the run found out about itself, as JSON text.
     fn diagnostics(&self) -> PyResult<String> {
-        let diagnostics = with_any!(&self.run, run => &run.diagnostics);
-        let mut found = serde_json::to_value(diagnostics).map_err(|error| run_error(&error.to_string()))?;
-        let counts = Kind::ALL.iter().zip(diagnostics.events);
-        let counts = counts.filter(|(kind, _)| kind.happens(self.is_on_cloth()));
-        found["events"] =
-            counts.map(|(kind, count)| (kind.name().to_owned(), json!(count))).collect::<Value>();
-        if let AnyRun::Plane(run) = &self.run
-            && let Some(steps) = &run.steps
-        {
-            found["lost_time"] = json!(steps.lost_time);
-        }
-        Ok(found.to_string())
+        let diagnostics = with_any!(&self.run, run => run.findings());
+        diagnostics.map(|found| found.to_string()).map_err(|error| run_error(&error.to_string()))
     }
 
     /// The sources of the laws that acted, as JSON text.

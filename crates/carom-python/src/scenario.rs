@@ -3,7 +3,6 @@
 use crate::balls_from;
 use crate::errors::{problem, scenario_error, simulation_error};
 use crate::interrupt::interruptible;
-use crate::outline::outline;
 use crate::run::Run;
 use crate::simulation::Simulation;
 use carom::run::Kind;
@@ -81,7 +80,7 @@ impl Scenario {
 
     /// What there is to draw of the table, as JSON text.
     fn outline(&self) -> String {
-        outline(&self.0.expanded().table).to_string()
+        self.0.outline().to_string()
     }
 
     /// The scenario with its preset, its rack and its gas turned into plain keys.
@@ -112,25 +111,7 @@ impl Scenario {
 
     /// The balls as JSON text, with radius, mass, velocity and, on a cloth, spin filled in; before the cue strikes.
     fn balls(&self) -> String {
-        let scenario = self.0.expanded();
-        let has_cloth = scenario.physics.has_cloth();
-        let ball = |(k, ball): (usize, &scenario::schema::Ball)| {
-            let start = ball.start::<f64>(k, &scenario.ball_defaults, &mut |_, value| value);
-            let components = if has_cloth { 3 } else { 2 };
-            let mut row = json!({
-                "id": ball.id,
-                "radius": start.radius,
-                "mass": start.mass,
-                "position": start.position.to_f64()[..components],
-                "velocity": start.velocity.to_f64()[..components],
-                "color": ball.color.as_ref().or(scenario.ball_defaults.color.as_ref()),
-            });
-            if has_cloth {
-                row["spin"] = json!(start.spin.to_f64());
-            }
-            row
-        };
-        scenario.balls.iter().enumerate().map(ball).collect::<Value>().to_string()
+        self.0.balls_at_start().to_string()
     }
 
     /// Runs the scenario to its end, without the interpreter's lock.

@@ -5,6 +5,8 @@
 //! scalar, which gives the same bits, is the only way elsewhere than on x86-64 with AVX2, and has the last word on contacts.
 
 #![allow(unsafe_code)]
+// Elsewhere there is the twin alone.
+#![cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
 
 use super::ball::Ball;
 use super::four::Four;
@@ -12,6 +14,7 @@ use crate::detect::{Relative, squared_tolerance};
 use crate::geometry::Vec2;
 use crate::model::ContactTolerance;
 use crate::scalar::Scalar;
+#[cfg(target_arch = "x86_64")]
 use core::any::TypeId;
 use core::mem::MaybeUninit;
 

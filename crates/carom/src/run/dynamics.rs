@@ -22,6 +22,12 @@ pub trait Dynamics<S: Scalar>: Clone + Debug + PartialEq + Send + Sync + 'static
     /// The steps of the fixed-step method, where the dynamics has one.
     type Steps: Clone + Debug + PartialEq + Send + Sync;
 
+    /// Whether the balls roll and spin on a cloth.
+    const IS_ON_CLOTH: bool;
+
+    /// How many numbers a flight is in a [`Film`](super::Film).
+    const WIDTH: usize;
+
     /// The system of a checked scenario.
     fn system(scenario: &Scenario) -> Self::System;
 
@@ -36,6 +42,12 @@ pub trait Dynamics<S: Scalar>: Clone + Debug + PartialEq + Send + Sync + 'static
 
     /// Place, velocity and acceleration at the start of a flight, in space; a place that is none where the ball is out of play.
     fn course(flight: &Self::Flight) -> [Vec3<S>; 3];
+
+    /// The numbers of a flight, for a [`Film`](super::Film).
+    fn row(flight: &Self::Flight) -> impl Iterator<Item = f64>;
+
+    /// The flights of a ball in a run that has steps: in each it goes straight, and waits from its hit on.
+    fn flights_of_steps(steps: &Self::Steps, ball: usize) -> Vec<Self::Flight>;
 
     /// A ball's last flight with all the way that led to it, which on a periodic table is kept beside it.
     fn last_flight(_: &Self::System, (flight, _): &(Self::Flight, Self::Track)) -> Self::Flight {
@@ -76,6 +88,9 @@ impl<S: Scalar> Dynamics<S> for Plane {
     type Vector = Vec2<S>;
     type Steps = Steps<S>;
 
+    const IS_ON_CLOTH: bool = false;
+    const WIDTH: usize = 7;
+
     fn system(scenario: &Scenario) -> System<S> {
         System::new(scenario)
     }
@@ -94,6 +109,16 @@ impl<S: Scalar> Dynamics<S> for Plane {
 
     fn course(flight: &Flight<S>) -> [Vec3<S>; 3] {
         [flight.position, flight.velocity, flight.acceleration].map(|vector| Vec3::above(vector, S::ZERO))
+    }
+
+    fn row(flight: &Flight<S>) -> impl Iterator<Item = f64> {
+        let Flight { start, position, velocity, acceleration } = flight;
+        let vectors = [position, velocity, acceleration].map(|vector| vector.to_f64());
+        core::iter::once(start.to_f64()).chain(vectors.into_iter().flatten())
+    }
+
+    fn flights_of_steps(steps: &Steps<S>, ball: usize) -> Vec<Flight<S>> {
+        steps.flights(ball)
     }
 
     fn last_flight(system: &System<S>, (flight, track): &(Flight<S>, Track<S>)) -> Flight<S> {
@@ -184,6 +209,9 @@ impl<S: Scalar> Dynamics<S> for OnCloth {
     type Vector = Vec3<S>;
     type Steps = NoSteps;
 
+    const IS_ON_CLOTH: bool = true;
+    const WIDTH: usize = 17;
+
     fn system(scenario: &Scenario) -> ClothSystem<S> {
         ClothSystem::new(scenario)
     }
@@ -205,6 +233,17 @@ impl<S: Scalar> Dynamics<S> for OnCloth {
         let nowhere = position * S::from_f64(f64::NAN);
         let position = if flight.motion.is_out() { nowhere } else { position };
         [position, flight.velocity_after(S::ZERO), flight.acceleration()]
+    }
+
+    fn row(flight: &SphereFlight<S>) -> impl Iterator<Item = f64> {
+        let [position, velocity, acceleration] = Self::course(flight);
+        let vectors = [position, velocity, acceleration, flight.spin, flight.spin_rate].map(Vec3::to_f64);
+        let numbers = core::iter::once(flight.start().to_f64()).chain(vectors.into_iter().flatten());
+        numbers.chain(core::iter::once(f64::from(flight.motion as u8)))
+    }
+
+    fn flights_of_steps(steps: &NoSteps, _: usize) -> Vec<SphereFlight<S>> {
+        match *steps {}
     }
 
     fn state_at(flight: &SphereFlight<S>, time: S) -> SphereState<S> {

@@ -4,11 +4,13 @@ use super::PHYSICS_VERSION;
 use super::diagnostics::Diagnostics;
 use super::digest::{Digest, digest};
 use super::dynamics::{Dynamics, Plane};
+use super::event::Kind;
 use super::observer::Log;
 use super::status::Status;
 use crate::geometry::Vec2;
 use crate::scalar::Scalar;
 use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
 use std::sync::{Arc, OnceLock};
 use thiserror::Error;
 
@@ -167,6 +169,18 @@ impl<S: Scalar, D: Dynamics<S>> Run<S, D> {
         digest(self.diagnostics.total_events(), self.end_time.to_f64(), states.iter().flat_map(D::numbers))
     }
 
+    /// The diagnostics as a JSON value, events by the names of those kinds that can happen.
+    pub fn findings(&self) -> Result<Value, serde_json::Error> {
+        let mut found = serde_json::to_value(&self.diagnostics)?;
+        let counts = Kind::ALL.iter().zip(self.diagnostics.events);
+        let counts = counts.filter(|(kind, _)| kind.happens(D::IS_ON_CLOTH));
+        found["events"] = counts.map(|(kind, count)| (kind.name().to_owned(), json!(count))).collect();
+        if let Some(steps) = &self.steps {
+            found["lost_time"] = json!(D::as_steps(steps).lost_time);
+        }
+        Ok(found)
+    }
+
     fn check_time(&self, time: S) -> Result<(), QueryError> {
         let end = self.end_time.to_f64();
         let is_inside = time >= S::ZERO && (time <= self.end_time || self.status == Status::AtRest);
@@ -187,6 +201,11 @@ impl<S: Scalar, D: Dynamics<S>> Run<S, D> {
         let flights = &self.flights_by_ball()[ball];
         let later = flights.partition_point(|&k| D::start(&self.log.flights[k as usize].1) <= time);
         self.log.flights[flights[later.max(1) - 1] as usize].1
+    }
+
+    /// The flights of a ball that were kept, in order of time.
+    pub(super) fn flights(&self, ball: usize) -> impl Iterator<Item = D::Flight> {
+        self.flights_by_ball()[ball].iter().map(|&k| self.log.flights[k as usize].1)
     }
 
     fn flights_by_ball(&self) -> &[Vec<u32>] {

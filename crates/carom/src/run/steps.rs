@@ -1,7 +1,8 @@
 //! The steps of the fixed-step method, and the state between them.
 
 use super::event::Kind;
-use crate::flight::State;
+use crate::flight::{Flight, State};
+use crate::geometry::Vec2;
 use crate::law::Reference;
 use crate::scalar::Scalar;
 
@@ -58,5 +59,24 @@ impl<S: Scalar> Steps<S> {
             }
         };
         (0..step.balls.len()).map(state).collect()
+    }
+
+    /// The flights of a ball: in each step it goes straight, and from its hit on it waits for the end of the step.
+    pub(super) fn flights(&self, ball: usize) -> Vec<Flight<S>> {
+        let mut flights = Vec::new();
+        let mut begin = |start, State { position, velocity }: State<S>, moves| {
+            let velocity = if moves { velocity } else { Vec2::ZERO };
+            flights.push(Flight { start, position, velocity, acceleration: Vec2::ZERO });
+        };
+        for (step, next) in self.steps.iter().zip(self.steps.iter().skip(1)) {
+            begin(step.time, step.balls[ball], true);
+            if let Some(hit) = step.hits[ball] {
+                begin(step.time + hit.after, next.balls[ball], false);
+            }
+        }
+        if let Some(last) = self.steps.last() {
+            begin(last.time, last.balls[ball], true);
+        }
+        flights
     }
 }

@@ -10,6 +10,7 @@ mod json;
 mod json_schema;
 mod layout;
 mod nearest;
+mod outline;
 mod parse;
 mod path;
 mod periodic;

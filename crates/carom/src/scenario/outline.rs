@@ -1,13 +1,43 @@
-//! What there is to draw of a table.
+//! What there is to draw of a scenario: its table, and its balls at the start.
 
-use carom::geometry::{Arc, Piece, Vec2};
-use carom::model::{Outline, OutlineKind, Pocket};
-use carom::scenario::schema;
+use super::schema::{self, Ball, Scenario};
+use crate::geometry::{Arc, Piece, Vec2};
+use crate::model::{Outline, OutlineKind, Pocket};
+use crate::scalar::angle_deg;
 use serde_json::{Value, json};
 
-/// The cushions and open sides of a table as a JSON value, lines and arcs in order, those of the boundary first; and its
-/// pockets.
-pub fn outline(written: &schema::Table) -> Value {
+impl Scenario {
+    /// The cushions and open sides of the table as a JSON value, lines and arcs in order, those of the boundary first; and
+    /// its pockets.
+    pub fn outline(&self) -> Value {
+        table(&self.expanded().table)
+    }
+
+    /// The balls as a JSON value, with radius, mass, velocity and, on a cloth, spin filled in; before the cue strikes.
+    pub fn balls_at_start(&self) -> Value {
+        let scenario = self.expanded();
+        let has_cloth = scenario.physics.has_cloth();
+        let ball = |(k, ball): (usize, &Ball)| {
+            let start = ball.start::<f64>(k, &scenario.ball_defaults, &mut |_, value| value);
+            let components = if has_cloth { 3 } else { 2 };
+            let mut row = json!({
+                "id": ball.id,
+                "radius": start.radius,
+                "mass": start.mass,
+                "position": start.position.to_f64()[..components],
+                "velocity": start.velocity.to_f64()[..components],
+                "color": ball.color.as_ref().or(scenario.ball_defaults.color.as_ref()),
+            });
+            if has_cloth {
+                row["spin"] = json!(start.spin.to_f64());
+            }
+            row
+        };
+        scenario.balls.iter().enumerate().map(ball).collect()
+    }
+}
+
+fn table(written: &schema::Table) -> Value {
     let (table, open) = (&written.layout(&mut |_, value| value), written.open_sides());
     let pieces = |outline| pieces(outline, &open);
     let (min, max) = (table.bounds.min, table.bounds.max);
@@ -47,10 +77,9 @@ fn piece(id: &str, part: &str, piece: &Piece<f64>) -> Value {
     }
 }
 
-/// The angles of an arc's ends in degrees; good for drawing, not for computing.
-#[allow(clippy::disallowed_methods)]
+/// The angles of an arc's ends in degrees.
 fn angles_deg(arc: &Arc<f64>) -> [f64; 2] {
-    let from = arc.from.y.atan2(arc.from.x).to_degrees();
+    let from = angle_deg(arc.from.x, arc.from.y);
     [from, if arc.counter_clockwise { from + arc.sweep_deg } else { from - arc.sweep_deg }]
 }
 

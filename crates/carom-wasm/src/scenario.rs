@@ -1,0 +1,71 @@
+//! Scenarios.
+
+use crate::errors::{problem, scenario_error};
+use carom::scenario::{self, ScenarioError, value_of_toml};
+use serde_json::{Map, Value, json};
+use wasm_bindgen::prelude::*;
+
+/// A checked scenario.
+#[wasm_bindgen]
+pub struct Scenario(scenario::Scenario);
+
+type Checked = Result<Scenario, JsValue>;
+
+impl Scenario {
+    pub fn new(scenario: scenario::Scenario) -> Self {
+        Self(scenario)
+    }
+
+    pub fn inner(&self) -> &scenario::Scenario {
+        &self.0
+    }
+}
+
+#[wasm_bindgen]
+impl Scenario {
+    /// Reads a scenario; the format is "toml" or "json". Balls of another file cannot be read here.
+    pub fn parse(text: &str, format: &str) -> Checked {
+        let value = match format {
+            "toml" => value_of_toml(text).map_err(|error| scenario_error(&error))?,
+            _ => serde_json::from_str(text).map_err(|error| problem("scenario", &error.to_string()))?,
+        };
+        checked(scenario::Scenario::from_value(&value))
+    }
+
+    /// The scenario with the values of a JSON object put in at the paths that are its keys.
+    pub fn with_values(&self, values_json: &str) -> Checked {
+        let values: Map<String, Value> =
+            serde_json::from_str(values_json).map_err(|error| problem("values", &error.to_string()))?;
+        checked(self.0.with_values(&values.into_iter().collect::<Vec<_>>()))
+    }
+
+    /// The scenario as JSON text.
+    pub fn to_json(&self) -> Result<String, JsValue> {
+        self.0.to_json().map_err(|error| scenario_error(&error))
+    }
+
+    /// The scenario as TOML text.
+    pub fn to_toml(&self) -> Result<String, JsValue> {
+        self.0.to_toml().map_err(|error| scenario_error(&error))
+    }
+
+    /// The scenario with its preset, its rack and its gas turned into plain keys.
+    pub fn expanded(&self) -> Self {
+        Self(self.0.expanded().into_owned())
+    }
+
+    /// What there is to draw, as JSON text: table, balls at the start, units, and whether the balls roll on a cloth.
+    pub fn drawing(&self) -> String {
+        json!({
+            "table": self.0.outline(),
+            "balls": self.0.balls_at_start(),
+            "units": self.0.unit_names(),
+            "isOnCloth": self.0.has_cloth(),
+        })
+        .to_string()
+    }
+}
+
+fn checked(scenario: Result<scenario::Scenario, ScenarioError>) -> Checked {
+    scenario.map(Scenario).map_err(|error| scenario_error(&error))
+}

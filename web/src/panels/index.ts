@@ -1,0 +1,14 @@
+/** The panels beside the table, in the order of their tabs. A new one is a file and a line here. */
+
+import type { ComponentType } from "preact";
+import type { Word } from "../words/en";
+
+export interface Panel {
+  id: string;
+  label: Word;
+  component: ComponentType;
+  /** Whether the panel has anything to show for what is on the table; absent: always. */
+  isShown?: () => boolean;
+}
+
+export const panels: Panel[] = [];

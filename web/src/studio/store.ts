@@ -1,0 +1,264 @@
+/** What the page knows, and what can be done with it. Components read signals and call the functions below. */
+
+import { batch, computed, effect, signal } from "@preact/signals";
+import { Cancelled, Engine, EngineLost, Problems } from "../engine/client";
+import { Film } from "../engine/film";
+import type {
+  Checked,
+  Drawing,
+  EventColumns,
+  Problem,
+  RunData,
+  Slot,
+  Summary,
+  Values,
+  Vocabulary,
+} from "../engine/protocol";
+import { word } from "../words";
+import type { Word } from "../words/en";
+import { SCENARIOS } from "./scenarios";
+
+/** The page keeps so many events of a run; a run of more is shown up to there, and the page says so. */
+export const MOST_EVENTS = 1_000_000;
+
+/** A run, or as much of it as there is yet. */
+export interface Shown {
+  summary: Summary;
+  film: Film;
+  events: EventColumns;
+  isCut: boolean;
+  /** Whether the run has ended. */
+  isWhole: boolean;
+}
+
+/** A scenario with where it comes from: the name of a ready-made one, or null. */
+export interface Open extends Checked {
+  name: string | null;
+}
+
+export const engine = new Engine();
+export const vocabulary = signal<Vocabulary | null>(null);
+
+/** The scenario on the table; null shows the gallery. */
+export const scenario = signal<Open | null>(null);
+export const drawing = computed<Drawing | null>(() => scenario.value?.drawing ?? null);
+/** The scenario as an object, as it is written. */
+export const written = computed<Record<string, unknown>>(() => JSON.parse(scenario.value?.json ?? "{}"));
+
+/** The runs, by what they are for. */
+export const runs = signal<Partial<Record<Slot, Shown>>>({});
+export const run = computed<Shown | null>(() => runs.value.main ?? null);
+export const endTime = computed(() => run.value?.summary.endTime ?? 0);
+
+/** How far the run that is computed has come; null when none is. */
+export const progress = signal<{ time: number; events: number } | null>(null);
+
+/** What is wrong with what was asked last. */
+export const problems = signal<Problem[]>([]);
+/** A message to the user, or null. */
+export const notice = signal<string | null>(null);
+
+export const time = signal(0);
+export const isPlaying = signal(false);
+/** Table time for each second. */
+export const speed = signal(1);
+/** The ball that is chosen, by its place in the list; null is none. */
+export const chosen = signal<number | null>(null);
+
+/** Earlier scenarios, the last one first to come back to, and those that were taken back. */
+const past = signal<Open[]>([]);
+const future = signal<Open[]>([]);
+export const canUndo = computed(() => past.value.length > 0);
+export const canRedo = computed(() => future.value.length > 0);
+
+/** Opens a ready-made scenario. */
+export const openNamed = (name: string): Promise<boolean> => openText(SCENARIOS[name] ?? "", "toml", name);
+
+/** Opens a scenario; says whether it is one. The problems are told if not, and what was there before stays. */
+export async function openText(
+  text: string,
+  format: "toml" | "json",
+  name: string | null = null,
+): Promise<boolean> {
+  return settled(async () => {
+    const checked = await engine.ask("check", { text, format });
+    past.value = future.value = [];
+    await put({ ...checked, name }, true);
+  });
+}
+
+/** Puts values into the scenario; says whether that is one. The problems are told if not, and nothing changes. */
+export async function change(values: Values): Promise<boolean> {
+  const before = scenario.peek();
+  if (!before) return false;
+  return settled(async () => {
+    const checked = await engine.ask("check", { text: before.json, format: "json", values });
+    past.value = [...past.peek(), before];
+    future.value = [];
+    await put({ ...checked, name: before.name }, false);
+  });
+}
+
+/** Puts another scenario in the place of this one, as one step that can be taken back. */
+export async function replace(json: string): Promise<boolean> {
+  const before = scenario.peek();
+  return settled(async () => {
+    const checked = await engine.ask("check", { text: json, format: "json" });
+    if (before) past.value = [...past.peek(), before];
+    future.value = [];
+    await put({ ...checked, name: before?.name ?? null }, false);
+  });
+}
+
+/** Asks what is wrong with values without putting them in; an empty list when nothing is. */
+export async function wrongWith(values: Values): Promise<Problem[]> {
+  try {
+    await engine.ask("check", { text: scenario.peek()?.json ?? "{}", format: "json", values });
+    return [];
+  } catch (error) {
+    if (error instanceof Problems) return error.problems;
+    throw error;
+  }
+}
+
+export const undo = () => swap(past, future);
+export const redo = () => swap(future, past);
+
+async function swap(from: typeof past, to: typeof past) {
+  const [target, now] = [from.peek().at(-1), scenario.peek()];
+  if (!target || !now) return;
+  from.value = from.peek().slice(0, -1);
+  to.value = [...to.peek(), now];
+  await settled(() => put(target, false));
+}
+
+export function closeScenario() {
+  batch(() => {
+    pause();
+    scenario.value = null;
+    runs.value = {};
+    problems.value = [];
+    notice.value = null;
+  });
+}
+
+async function put(open: Open, isNew: boolean) {
+  batch(() => {
+    scenario.value = open;
+    problems.value = [];
+    notice.value = null;
+    isPlaying.value = false;
+    runs.value = {};
+    time.value = 0;
+    if (isNew) {
+      chosen.value = null;
+      speed.value = 1;
+    }
+  });
+  await compute("main", open.json);
+}
+
+/** Computes a run and keeps it; parts of long ones are shown while they go on. */
+export async function compute(slot: Slot, json: string, until?: string): Promise<Shown | null> {
+  const show = (data: RunData, isWhole: boolean): Shown => {
+    const shown = { ...data, film: new Film(data.film), isWhole };
+    runs.value = { ...runs.peek(), [slot]: shown };
+    return shown;
+  };
+  const asked = { slot, json, mostEvents: MOST_EVENTS, ...(until === undefined ? {} : { until }) };
+  try {
+    const data = await engine.ask("run", asked, {
+      onPart: (part) => show(part, false),
+      onProgress: (time, events) => {
+        if (slot === "main") progress.value = { time, events };
+      },
+    });
+    if (slot === "main") progress.value = null;
+    return show(data, true);
+  } catch (error) {
+    if (error instanceof Cancelled) return null;
+    if (slot === "main") progress.value = null;
+    throw error;
+  }
+}
+
+/** Does what may fail; tells what is wrong if it does, and whether it went well. */
+export async function settled(action: () => Promise<unknown>): Promise<boolean> {
+  try {
+    await action();
+    return true;
+  } catch (error) {
+    if (error instanceof Problems) problems.value = error.problems;
+    else if (error instanceof EngineLost) say(error.reason === "stuck" ? "engineStuck" : "engineBroken");
+    else throw error;
+    return false;
+  }
+}
+
+export function say(key: Word, values: Record<string, string | number> = {}) {
+  notice.value = word(key, values);
+}
+
+// Time.
+
+/** The last time that there is something to show of. */
+const latest = () => endTime.peek();
+
+export function seek(target: number) {
+  time.value = Math.min(Math.max(target, 0), latest());
+}
+
+export function play() {
+  if (time.peek() >= latest() && run.peek()?.isWhole) time.value = 0;
+  isPlaying.value = true;
+}
+
+export function pause() {
+  isPlaying.value = false;
+}
+
+export const toggle = () => (isPlaying.peek() ? pause() : play());
+
+/** The place of the first event after a time, or at it and after. */
+export function firstEventAfter(moment: number, isIncluded = false): number {
+  const times = run.peek()?.events.time ?? new Float64Array();
+  let [low, high] = [0, times.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    const at = times[middle] as number;
+    if (isIncluded ? at >= moment : at > moment) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
+export function nextEvent() {
+  pause();
+  const times = run.peek()?.events.time;
+  seek(times?.[firstEventAfter(time.peek())] ?? latest());
+}
+
+export function previousEvent() {
+  pause();
+  const times = run.peek()?.events.time;
+  seek(times?.[firstEventAfter(time.peek(), true) - 1] ?? 0);
+}
+
+// The clock of the film: it goes while the page plays, and waits where the run has not come so far yet.
+effect(() => {
+  if (!isPlaying.value) return;
+  let before = performance.now();
+  let frame = requestAnimationFrame(function tick(now: number) {
+    const target = time.peek() + ((now - before) / 1000) * speed.peek();
+    before = now;
+    seek(target);
+    if (target >= latest() && (run.peek()?.isWhole ?? true)) pause();
+    else frame = requestAnimationFrame(tick);
+  });
+  return () => cancelAnimationFrame(frame);
+});
+
+/** Loads the engine and what page and engine have in common. */
+export async function begin() {
+  vocabulary.value = await engine.ask("vocabulary", {});
+}

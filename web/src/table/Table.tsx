@@ -1,0 +1,63 @@
+/** The table on the page: a canvas at true scale that follows the time. */
+
+import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { drawing, run, scenario, time } from "../studio/store";
+import { isDark } from "../studio/theme";
+import { number, word } from "../words";
+import { ballColours, DARK, LIGHT } from "./colours";
+import type { Body } from "./draw";
+import { onEachFrame } from "./frames";
+import { layers } from "./layers";
+import { fitted, type View } from "./view";
+
+/** Pixels around the table. */
+const MARGIN = 28;
+
+/** What the layers of the table are drawn from. */
+export interface Scene {
+  view: View;
+  bodies: Body[];
+  palette: typeof LIGHT;
+}
+
+export function Table() {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const size = useSignal<[number, number]>([0, 0]);
+
+  useEffect(() => {
+    const element = canvas.current;
+    if (!element) return;
+    const observer = new ResizeObserver(([entry]) => {
+      if (entry) size.value = [entry.contentRect.width, entry.contentRect.height];
+    });
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, []);
+
+  const drawn = drawing.value;
+  const [width, height] = size.value;
+  const palette = isDark.value ? DARK : LIGHT;
+  // What the layers read while they draw brings the next frame.
+  useEffect(() => {
+    const pen = canvas.current?.getContext("2d");
+    if (!pen || !drawn || width === 0) return;
+    const density = window.devicePixelRatio || 1;
+    pen.canvas.width = Math.round(width * density);
+    pen.canvas.height = Math.round(height * density);
+    const colours = ballColours(drawn.balls);
+    const scene: Scene = {
+      view: fitted(drawn.table, width, height, MARGIN),
+      bodies: drawn.balls.map(({ radius }, ball) => ({ radius, colour: colours[ball] as string })),
+      palette,
+    };
+    pen.setTransform(density, 0, 0, density, 0, 0);
+    return onEachFrame(() => {
+      pen.clearRect(0, 0, width, height);
+      for (const layer of layers) layer(pen, scene);
+    });
+  }, [drawn, width, height, palette, scenario.value]);
+
+  const label = word("tableLabel", { balls: drawn?.balls.length ?? 0, time: number(time.value) });
+  return <canvas class="table" ref={canvas} role="img" aria-label={run.value ? label : ""} />;
+}
