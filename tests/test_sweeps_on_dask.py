@@ -232,6 +232,8 @@ def test_rows_may_all_be_rejected(midterm: carom.Scenario, tmp_path: Path) -> No
     assert table["status"].to_pylist() == ["rejected"] * 3
     (tmp_path / "sweep.toml").write_text(MIDTERM.replace("rows_per_part = 60", "rows_per_part = 1"))
     assert carom.Sweep.load(tmp_path / "sweep.toml").run(tmp_path / "out").statuses["rejected"] > 1
+    speeds = pyarrow.table({"balls.red.speed": [-1.0] * 3000})
+    assert carom.outcomes_of_table(midterm, speeds)["status"].to_pylist() == ["rejected"] * 3000
 
 
 def test_numbers_may_be_whole_and_single(midterm: carom.Scenario) -> None:

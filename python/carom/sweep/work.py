@@ -57,7 +57,8 @@ def outcomes_of_table(
     pyarrow.Table
         In the order of the rows: the columns of `inputs`, then ``status``, the outcomes, and ``problem``, which says
         why a row is ``rejected`` (its numbers make no scenario) or ``failed``; its outcomes are NaN or null. The
-        columns are the same for each table of inputs with the same columns, one without rows too.
+        columns are the same for each table of inputs with the same columns, one without rows too: they are those of the
+        balls of `scenario`.
 
     Raises
     ------
@@ -67,12 +68,9 @@ def outcomes_of_table(
         Without pyarrow, which carom[data] brings.
     """
     inputs = _checked(inputs)
-    # Two rows that are not run stand before the others, so that the columns do not depend on the rows, of which there
-    # need not be one that makes a scenario.
+    # No ensemble is without rows: where there are none, one stands there that is not run.
     varied = {
-        path: np.concatenate([_likely_numbers(scenario, path), inputs[path].to_numpy()])
-        for path in inputs.column_names
-        if path != ROW
+        path: inputs[path].to_numpy() if inputs.num_rows else np.zeros(1) for path in inputs.column_names if path != ROW
     }
     native = native_ensemble(
         scenario,
@@ -84,7 +82,7 @@ def outcomes_of_table(
         equilibrate=equilibrate,
         sample_interval=sample_interval,
     )
-    computed = compute(scenario, native, inputs, 2, threads=threads)
+    computed = compute(scenario, native, inputs, 0, threads=threads)
     if computed is None:
         raise KeyboardInterrupt
     return computed.table()
@@ -136,15 +134,6 @@ def compute(
         return None
     problems = [(row - first, text) for row, text in problems]
     return Computed(scenario, native, inputs, numbers, codes, words, problems)
-
-
-def _likely_numbers(scenario: Scenario, path: str) -> tuple[float, float]:
-    """Give two numbers with which there is likely a scenario: its own, or small ones where it says none."""
-    try:
-        own = scenario.value(path)
-    except ScenarioError:  # the engine says what is wrong with the path, if anything is
-        own = None
-    return (1.0, 0.0) if not isinstance(own, (int, float)) else (float(own), float(own))
 
 
 def _checked(inputs: pyarrow.Table) -> pyarrow.Table:

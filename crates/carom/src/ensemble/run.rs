@@ -5,7 +5,7 @@ use super::outcome::{Column, Layout, Outcome};
 use super::runner::{RowError, Runner};
 use crate::run::{Dynamics, OnCloth, Status};
 use crate::scenario::schema::{Method, Record};
-use crate::scenario::{Problem, Scenario, ScenarioError, Template, Velocities};
+use crate::scenario::{Scenario, ScenarioError, Template, Velocities};
 use crate::simulate::Sampling;
 use core::ops::Range;
 use core::time::Duration;
@@ -20,18 +20,13 @@ const ROWS_AT_ONCE: usize = 128;
 /// Time between two looks at whether to break off.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// So many rows at most are asked for one that makes a scenario.
-const TRIALS: u64 = 1000;
-
 /// Many runs of one scenario, with some of its numbers varied.
 #[derive(Clone, Debug)]
 pub struct Ensemble {
     inputs: Inputs,
     template: Template,
-    /// The scenario of the first row that makes one.
+    /// The scenario that is varied; the columns are those of its balls, whatever the rows are.
     base: Scenario,
-    /// What a run of a single row keeps.
-    record: Option<Record>,
     velocities: Option<Velocities>,
     layout: Layout,
     sampling: Sampling,
@@ -86,18 +81,17 @@ impl Ensemble {
     ///
     /// # Errors
     ///
-    /// Where no row makes a scenario, as where a path leads nowhere; and where an outcome is not one of these balls.
+    /// Where a path leads nowhere, or to what is no number; and where an outcome is not one of these balls.
     pub fn new(scenario: &Scenario, inputs: Inputs, outcomes: &[Outcome]) -> Result<Self, ScenarioError> {
         let record = if scenario.method == Method::Exact { Record::None } else { Record::Events };
         let template = Template::new(scenario, inputs.paths(), record)?;
-        let base = first_scenario(&template, &inputs)?;
+        check_paths(&template, &inputs)?;
         let cushions =
-            if base.has_cloth() { <OnCloth as Dynamics<f64>>::system(&base).place_of(0) } else { 0 };
-        let layout = Layout::new(&base, outcomes, cushions)?;
-        let is_observed = !layout.observed.is_empty();
-        let velocities = if is_observed { None } else { Velocities::new(&base, inputs.paths()) };
-        let (record, sampling) = (scenario.record, Sampling::default());
-        Ok(Self { inputs, template, base, record, velocities, layout, sampling })
+            if scenario.has_cloth() { <OnCloth as Dynamics<f64>>::system(scenario).place_of(0) } else { 0 };
+        let layout = Layout::new(scenario, outcomes, cushions)?;
+        let velocities = if layout.observed.is_empty() { template.velocities() } else { None };
+        let (base, sampling) = (scenario.clone(), Sampling::default());
+        Ok(Self { inputs, template, base, velocities, layout, sampling })
     }
 
     /// The same, with gases observed at other times.
@@ -124,7 +118,7 @@ impl Ensemble {
     pub fn scenario(&self, row: u64) -> Result<Scenario, ScenarioError> {
         let mut numbers = vec![0.0; self.inputs.paths().len()];
         self.inputs.fill(row, &mut numbers);
-        Ok(Scenario { record: self.record, ..self.template.with(&numbers)? })
+        Ok(Scenario { record: self.base.record, ..self.template.with(&numbers)? })
     }
 
     /// Runs some rows, on as many threads as there are cores unless it is said on how many.
@@ -238,17 +232,9 @@ impl Shared {
     }
 }
 
-/// The scenario of the first row that makes one; the error is that of the first row.
-fn first_scenario(template: &Template, inputs: &Inputs) -> Result<Scenario, ScenarioError> {
-    let mut numbers = vec![0.0; inputs.paths().len()];
-    let mut first = Problem::new("runs", "there are none").into();
-    for row in 0..inputs.rows().min(TRIALS) {
-        inputs.fill(row, &mut numbers);
-        match template.with(&numbers) {
-            Ok(scenario) => return Ok(scenario),
-            Err(error) if row == 0 => first = error,
-            Err(_) => {}
-        }
-    }
-    Err(first)
+/// Tells wrong paths with the numbers of the first row.
+fn check_paths(template: &Template, inputs: &Inputs) -> Result<(), ScenarioError> {
+    let mut first = vec![0.0; inputs.paths().len()];
+    inputs.fill(0, &mut first);
+    template.check_paths().or_else(|_| template.with(&first).map(drop))
 }

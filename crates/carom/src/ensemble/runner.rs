@@ -120,8 +120,11 @@ impl<'a> Runner<'a> {
             if run.status == Status::Interrupted {
                 return Ok(None);
             }
+            let own = D::ball_ids(&run.system);
+            self.kept.clear(own.len(), &[]);
             run.log.events.iter().for_each(|event| self.kept.note(event));
             self.kept.keep_end::<D>(run.end_time, run.final_state().into_iter());
+            self.kept.reorder(own, &self.ball_ids);
             self.layout.fill(out, run.end_time, &run.diagnostics, &self.kept);
             return Ok(Some(run.status));
         }

@@ -1,9 +1,10 @@
 //! A scenario of which many are made that differ in some numbers.
 
 use super::path::{Step, parse};
-use super::problem::ScenarioError;
+use super::problem::{Findings, ScenarioError};
 use super::schema::{Ball, BallDefaults, Method, Record, Scenario};
 use super::start::BallStart;
+use super::structure::check_structure;
 use super::values::with_changes;
 use serde_json::{Value, json};
 
@@ -34,6 +35,9 @@ enum Part {
     Direction,
 }
 
+/// A number that is in the range of each of a scenario's by itself.
+const ANYWHERE: f64 = 1.0;
+
 /// Numbers as large and as small as these, and zero, are what every check lets pass.
 const ORDINARY: core::ops::Range<f64> = 1e-70..1e70;
 
@@ -49,6 +53,24 @@ impl Template {
 
     /// The scenario with these numbers in the places, checked.
     pub fn with(&self, numbers: &[f64]) -> Result<Scenario, ScenarioError> {
+        Scenario::from_value(&self.value_with(numbers)?)
+    }
+
+    /// Checks that a number may stand at each path, whichever it is.
+    pub fn check_paths(&self) -> Result<(), ScenarioError> {
+        let mut findings = Findings::default();
+        check_structure(&self.value_with(&vec![ANYWHERE; self.paths.len()])?, &mut findings);
+        findings.into_result()
+    }
+
+    /// The places as those of velocities, where they are nothing else; see [`Velocities::new`].
+    pub fn velocities(&self) -> Option<Velocities> {
+        // A scenario that has numbers at all paths, so that speeds are there where components are written.
+        let scenario = self.with(&vec![ANYWHERE; self.paths.len()]).ok()?;
+        Velocities::new(&scenario, &self.paths)
+    }
+
+    fn value_with(&self, numbers: &[f64]) -> Result<Value, ScenarioError> {
         let value = |&number: &f64, is_whole: &bool| match number {
             _ if !number.is_finite() => json!(number.to_string().to_lowercase()),
             _ if *is_whole && number.fract() == 0.0 && number.abs() < 9e15 => json!(number as i64),
@@ -56,7 +78,7 @@ impl Template {
         };
         let values = numbers.iter().zip(&self.is_whole).map(|(number, is_whole)| value(number, is_whole));
         let changes: Vec<(&String, Value)> = self.paths.iter().zip(values).collect();
-        Scenario::from_value(&with_changes(self.whole.clone(), &changes)?)
+        with_changes(self.whole.clone(), &changes)
     }
 }
 

@@ -8,5 +8,6 @@ mod errors;
 mod independent;
 mod kit;
 mod latin_hypercube;
+mod rejected;
 mod runs;
 mod sobol;
