@@ -1,7 +1,10 @@
 """Ensembles: each row is the run that its numbers give, whatever the threads, and nothing is lost."""
 
+import contextlib
 import csv
+import os
 import signal
+import subprocess
 import sys
 import threading
 from pathlib import Path
@@ -117,6 +120,128 @@ def test_functions_of_runs_are_columns_too() -> None:
     table = MIDTERM.ensemble(varied, [], functions={"energy": lambda run: float(run.energy(1.0))}, invalid="keep")
     expected = [MIDTERM.with_values({"balls.red.speed": speed}).run().energy(1.0) for speed in (4.0, 5.0)]
     assert table["energy"].tolist() == [expected[0], None, expected[1]]
+
+
+def speeds_called(functions: dict[str, Any], **options: Any) -> carom.Ensemble:
+    speeds = [1.0, -1.0, 2.0, 3.0, 4.0]
+    return MIDTERM.ensemble({"balls.red.speed": speeds}, [], functions=functions, invalid="keep", **options)
+
+
+def test_ctrl_c_in_a_function_keeps_the_values_of_the_runs_before() -> None:
+    def end_time(run: carom.Run) -> float:
+        if run.scenario.value("balls.red.speed") == 3.0:
+            raise KeyboardInterrupt
+        return run.end_time
+
+    table = speeds_called({"events": lambda run: len(run.events), "end_time": end_time})
+    assert not table.is_complete
+    assert table["end_time"].tolist() == [5.0, None, 5.0, None, None]
+    assert [count is None for count in table["events"]] == [False, True, False, True, True]
+    assert table["status"].tolist() == ["time_limit", "rejected", *["time_limit"] * 3]
+
+
+def test_progress_counts_the_calls_of_functions_too_and_may_end_them() -> None:
+    told: list[tuple[int, int]] = []
+
+    def progress(done: int, of: int) -> bool:
+        told.append((done, of))
+        return (done, of) == (2, 4)
+
+    table = speeds_called({"end_time": lambda run: run.end_time}, progress=progress)
+    assert [now for now in told if now[1] == 4] == [(0, 4), (1, 4), (2, 4)]
+    assert table["end_time"].tolist() == [5.0, None, 5.0, None, None]
+    assert not table.is_complete
+    assert speeds_called({"end_time": lambda run: run.end_time}, progress=lambda *now: False).is_complete
+
+
+def test_no_function_is_called_after_an_early_end() -> None:
+    called: list[carom.Run] = []
+    speeds = {"shot.V0": carom.Normal(8, 0.2)}
+    table = BREAK.ensemble(speeds, [], functions={"run": called.append}, runs=20_000, progress=lambda *now: True)
+    assert (table.is_complete, called, set(table["run"])) == (False, [], {None})
+
+
+def test_an_exception_in_a_function_tells_of_which_run() -> None:
+    def speed(run: carom.Run) -> float:
+        return 1 / (run.scenario.value("balls.red.speed") - 2.0)
+
+    with pytest.raises(RuntimeError, match="functions: speed raised ZeroDivisionError for run 2: ") as error:
+        speeds_called({"speed": speed})
+    assert isinstance(error.value.__cause__, ZeroDivisionError)
+
+
+IN_A_TERMINAL = """
+import carom
+noise = carom.ExecutionNoise.preset("pool_tournament")
+scenario = carom.load("nine_ball_break")
+{call}
+print("done")
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no pseudo-terminals")
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (
+            "scenario.ensemble({'shot.V0': carom.Normal(8, 0.2)}, runs=3000, progress=True)",
+            ["runs", " of 3,000, ", " runs/s"],
+        ),
+        (
+            "scenario.ensemble({'shot.V0': [8.0] * 50}, functions={'end': lambda run: run.end_time}, progress=True)",
+            ["functions", " of 50, ", " runs/s"],
+        ),
+        ("scenario.success('1', noise, runs=3000, progress=True)", ["runs", " of 3,000, ", " runs/s"]),
+        (
+            "scenario.best_aim({'shot.V0': [8.0, 8.1]}, '1', noise, runs=2000, progress=True)",
+            ["runs", " of 4,000, ", " runs/s"],
+        ),
+        ("scenario.success('1', noise, runs=3000)", []),
+    ],
+)
+def test_a_bar_shows_on_a_terminal_and_leaves_it_clean(call: str, words: list[str]) -> None:
+    import pty
+
+    code = [sys.executable, "-c", IN_A_TERMINAL.format(call=call)]
+    done = subprocess.run(code, capture_output=True, text=True, check=True)
+    assert (done.stdout, done.stderr) == ("done\n", "")
+    ours, theirs = pty.openpty()
+    environment = {**os.environ, "TERM": "xterm", "COLUMNS": "100"}
+    with subprocess.Popen(code, stdout=subprocess.PIPE, stderr=theirs, env=environment) as child:
+        os.close(theirs)
+        said = b""
+        with contextlib.suppress(OSError):  # which Linux has for the end
+            while chunk := os.read(ours, 4096):
+                said += chunk
+        os.close(ours)
+        assert child.stdout is not None and child.stdout.read() == b"done\n"
+    shown = said.decode()
+    assert all(word in shown for word in words)
+    assert bool(words) == bool(shown)
+    if words:  # the last line is erased, and the cursor is back
+        last = shown[shown.rindex("\x1b[2K") :].replace("\x1b[2K", "").replace("\x1b[?25h", "")
+        assert (last.strip("\r\n"), shown.count("\x1b[?25l")) == ("", shown.count("\x1b[?25h"))
+
+
+def test_a_progress_that_is_neither_is_refused() -> None:
+    with pytest.raises(TypeError, match="progress: must be true, false or a function, got 'bar'"):
+        MIDTERM.ensemble({"balls.red.speed": [1.0]}, progress="bar")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("numbers", [[-1.0], [-1.0] * 3000])
+def test_all_rows_may_be_rejected(numbers: list[float]) -> None:
+    table = MIDTERM.ensemble({"balls.red.speed": numbers}, ["events", "end_time"], invalid="keep")
+    assert set(table["status"]) == {"rejected"} and table.is_complete
+    assert table["events.ball_ball"].tolist() == [-1] * len(numbers)
+    assert "balls[0].speed: must be zero or positive" in table["problem"][-1]
+    with pytest.raises(carom.ScenarioError, match=f"{len(numbers)} of {len(numbers)} make no scenario"):
+        MIDTERM.ensemble({"balls.red.speed": numbers})
+
+
+def test_a_path_to_no_number_is_no_matter_of_rows() -> None:
+    for path in ("balls.red.spede", "balls.red.id", "table.shape", "physics.flight.gravity"):
+        with pytest.raises(carom.ScenarioError):
+            MIDTERM.ensemble({path: [1.0]}, invalid="keep")
 
 
 def test_rows_that_make_no_scenario_are_named() -> None:

@@ -69,6 +69,19 @@ def test_the_surer_hand_pots_more_often() -> None:
     assert pots[2].runs == len(pots[2].table) == 400
 
 
+def test_runs_that_were_not_run_are_neither_hits_nor_misses() -> None:
+    def misses(table: carom.Ensemble) -> Any:
+        return np.array([pocket is None for pocket in table["1.pocket"]])
+
+    options: dict[str, Any] = {"noise": NOISE.times(6), "runs": 30_000, "seed": 3}
+    whole = straight_in().success(misses, **options)
+    part = straight_in().success(misses, **options, progress=lambda done, of: done > 5000)
+    is_run = part.table.has_outcome
+    assert part.runs == is_run.sum() and 0 < part.runs < 30_000
+    assert part.hits == misses(whole.table)[is_run].sum()
+    assert part.low < part.probability == part.hits / part.runs < part.high
+
+
 def test_success_is_what_single_runs_say() -> None:
     shot = straight_in(0.6)
     pot = shot.success("1", NOISE.times(6), runs=60, seed=5)

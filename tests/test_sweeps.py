@@ -63,6 +63,12 @@ def test_a_dataset_has_the_rows_of_the_ensemble(write: Callable[[str], Path], tm
     assert result.statuses == {"rejected": rejected, "time_limit": 1000 - rejected}
 
 
+def test_all_rows_of_a_dataset_may_be_rejected(write: Callable[[str], Path], tmp_path: Path) -> None:
+    sweep = carom.Sweep.load(write(MIDTERM.replace("mean = 5", "mean = -50").replace("= 1000", "= 2000")))
+    assert sweep.run(tmp_path / "out", progress=True).statuses == {"rejected": 2000}
+    assert table_of(tmp_path / "out")["end_time"].is_null(nan_is_null=True).to_pylist() == [True] * 2000
+
+
 def test_missing_parts_are_made_again_with_the_same_bytes(write: Callable[[str], Path], tmp_path: Path) -> None:
     sweep, folder = carom.Sweep.load(write(MIDTERM)), tmp_path / "out"
     sweep.run(folder, threads=2)

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom.columns import ColumnTable
-from carom.ensemble import Ensemble, Grid, Progress, native_ensemble
+from carom.ensemble import Ensemble, Grid, native_ensemble
 from carom.errors import ScenarioError
 from carom.goal import Goal, is_met, outcomes_for
 from carom.noise import ExecutionNoise, check_level, meant, share
+from carom.progress import Progress, telling
 
 if TYPE_CHECKING:
     import numpy as np
@@ -121,7 +122,7 @@ def best_aim(
     seed: int,
     level: float,
     threads: int | None,
-    progress: Progress | None,
+    progress: Progress | bool | None,
 ) -> BestAim:
     """Find the best aim on a grid; see `Scenario.best_aim`."""
     check_level(level)
@@ -130,18 +131,19 @@ def best_aim(
     hits, played = (np.zeros(math.prod(grid.shape), dtype=np.int64) for _ in range(2))
     wanted = outcomes_for(goal, outcomes)
     try:
-        for points in _chunks(len(hits), runs):
-            strokes = _strokes(scenario, grid, noise, points, runs, seed)
-            watch = _watch(progress, points.start * runs, len(hits) * runs)
-            table = scenario.ensemble(strokes, wanted, threads=threads, invalid="keep", progress=watch)
-            _refuse_rejected(table, grid)
-            count = (len(points), runs)
-            met, has_outcome = is_met(table, goal).reshape(count), table.has_outcome.reshape(count)
-            is_finished = (table["status"].reshape(count) != "not_run").all(axis=1)
-            hits[points.start : points.stop] = np.where(is_finished, met.sum(axis=1), 0)
-            played[points.start : points.stop] = np.where(is_finished, has_outcome.sum(axis=1), 0)
-            if not table.is_complete:
-                break
+        with telling(progress, "runs") as tell:
+            for points in _chunks(len(hits), runs):
+                strokes = _strokes(scenario, grid, noise, points, runs, seed)
+                watch = _watch(tell, points.start * runs, len(hits) * runs)
+                table = scenario.ensemble(strokes, wanted, threads=threads, invalid="keep", progress=watch)
+                _refuse_rejected(table, grid)
+                count = (len(points), runs)
+                met, has_outcome = is_met(table, goal).reshape(count), table.has_outcome.reshape(count)
+                is_finished = (table["status"].reshape(count) != "not_run").all(axis=1)
+                hits[points.start : points.stop] = np.where(is_finished, met.sum(axis=1), 0)
+                played[points.start : points.stop] = np.where(is_finished, has_outcome.sum(axis=1), 0)
+                if not table.is_complete:
+                    break
     except KeyboardInterrupt:
         # Between two ensembles; what was counted before stands.
         pass
@@ -189,9 +191,9 @@ def _point(grid: Grid, point: int) -> dict[str, float]:
     return {path: float(numbers[place]) for (path, numbers), place in zip(grid.items(), places, strict=True)}
 
 
-def _watch(progress: Progress | None, before: int, of: int) -> Callable[[int, int], object] | None:
+def _watch(tell: Progress, before: int, of: int) -> Progress:
     """Give what tells of the runs of one ensemble as of those of all."""
-    return None if progress is None else lambda done, _: progress(before + done, of)
+    return lambda done, _: tell(before + done, of)
 
 
 def _refuse_rejected(table: Ensemble, grid: Grid) -> None:

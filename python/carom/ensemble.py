@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from carom import _engine
 from carom.columns import ColumnTable, column_of, read_only
 from carom.errors import ScenarioError
+from carom.progress import Progress, telling
 
 if TYPE_CHECKING:
     import numpy as np
@@ -26,9 +27,6 @@ Design = Literal["independent", "latin_hypercube", "sobol"]
 
 Invalid = Literal["error", "keep"]
 """What to do about rows whose numbers make no scenario: refuse the ensemble, or keep them without outcomes."""
-
-Progress = Callable[[int, int], object]
-"""Told now and then of the runs done and of all; ends the ensemble by what is true."""
 
 NAMED_AT_MOST = 3
 """So many rejected rows are named in an error."""
@@ -188,7 +186,7 @@ def ensemble(
     seed: int,
     threads: int | None,
     invalid: Invalid,
-    progress: Progress | None,
+    progress: Progress | bool | None,
     equilibrate: float,
     sample_interval: float | None,
 ) -> Ensemble:
@@ -207,8 +205,10 @@ def ensemble(
         equilibrate=equilibrate,
         sample_interval=sample_interval,
     )
-    watch = None if progress is None else lambda done: progress(done, native.runs)
-    numbers, codes, words, problems, is_interrupted = native.run(0, native.runs, threads, watch)
+    with telling(progress, "runs") as tell:
+        numbers, codes, words, problems, is_interrupted = native.run(
+            0, native.runs, threads, lambda done: tell(done, native.runs)
+        )
     rejected = [(row, text) for row, text in problems if words[codes[row]] == "rejected"]
     if rejected and invalid == "error":
         raise _rejected(rejected, native.runs)
@@ -216,12 +216,16 @@ def ensemble(
     columns: dict[str, Any] = dict(zip(varied, native.inputs(0, native.runs), strict=True))
     has_outcomes = ~np.isin(status, WITHOUT_OUTCOMES)
     columns |= {"status": status, **outcomes_of(scenario, native, numbers, has_outcomes)}
-    for name, values in _called(native, scenario, functions, has_outcomes).items():
-        columns[name] = column_of(values)
+    is_complete = not is_interrupted and "not_run" not in words
+    if functions:
+        rows = np.flatnonzero(has_outcomes).tolist() if is_complete else []
+        with telling(progress, "functions") as tell:
+            values, is_reached = _called(native, scenario, functions, rows, tell)
+        is_complete &= is_reached
+        columns |= {name: column_of(column) for name, column in values.items()}
     if problems:
         columns["problem"] = np.full(native.runs, None, dtype=object)
         columns["problem"][[row for row, _ in problems]] = [text for _, text in problems]
-    is_complete = not is_interrupted and "not_run" not in words
     grid = varied if isinstance(varied, Grid) else None
     return Ensemble(scenario, native, columns, is_complete=is_complete, grid=grid)
 
@@ -299,16 +303,32 @@ def _called(
     native: _engine.Ensemble,
     scenario: Scenario,
     functions: Mapping[str, Callable[[Run], Any]],
-    has_outcomes: NDArray[np.bool_],
-) -> dict[str, list[Any]]:
-    """Call functions of runs, which are computed once more for them, one by one."""
+    rows: Sequence[int],
+    tell: Progress,
+) -> tuple[dict[str, list[Any]], bool]:
+    """Call functions of the runs of some rows, which are computed once more for them, one by one.
+
+    Ctrl-C ends it, as does what is told: the values of rows not reached are None, and whether all were comes with them.
+    """
     values: dict[str, list[Any]] = {name: [None] * native.runs for name in functions}
-    if functions:
-        for row in np.flatnonzero(has_outcomes).tolist():
+    try:
+        for done, row in enumerate(rows):
+            if tell(done, len(rows)):
+                return values, False
             run = type(scenario)._of(native.scenario(row)).run()
-            for name, function in functions.items():
-                values[name][row] = function(run)
-    return values
+            given = [_given(name, function, run, row) for name, function in functions.items()]
+            for column, value in zip(values.values(), given, strict=True):
+                column[row] = value
+    except KeyboardInterrupt:
+        return values, False
+    return values, True
+
+
+def _given(name: str, function: Callable[[Run], Any], run: Run, row: int) -> Any:
+    try:
+        return function(run)
+    except Exception as error:
+        raise RuntimeError(f"functions: {name} raised {type(error).__name__} for run {row}: {error}") from error
 
 
 def _words(words: Sequence[str | None]) -> NDArray[Any]:

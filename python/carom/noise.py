@@ -14,6 +14,7 @@ from carom.errors import ScenarioError
 from carom.goal import Goal, is_met, outcomes_for
 
 if TYPE_CHECKING:
+    from carom.progress import Progress
     from carom.scenario import Scenario
 
 WORDS: dict[str, tuple[str, str]] = {
@@ -117,7 +118,7 @@ class Success:
     level : float
         How sure that is.
     hits, runs : int
-        How many runs met the goal, and how many there were: after Ctrl-C those that were finished.
+        How many runs met the goal, and how many there were: where it was ended early those that were finished.
     table : Ensemble
         The runs.
     """
@@ -145,11 +146,13 @@ def success(
     seed: int,
     level: float,
     threads: int | None,
+    progress: Progress | bool | None,
 ) -> Success:
     """Tell how sure a shot is; see `Scenario.success`."""
     check_level(level)
     wanted = outcomes_for(goal, outcomes)
-    table = scenario.ensemble(noise.around(scenario), wanted, runs=runs, seed=seed, threads=threads)
+    varied = noise.around(scenario)
+    table = scenario.ensemble(varied, wanted, runs=runs, seed=seed, threads=threads, progress=progress)
     played, hits = int(table.has_outcome.sum()), int(is_met(table, goal).sum())
     if played == 0 and not table.is_complete:
         raise KeyboardInterrupt

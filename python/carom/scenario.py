@@ -24,13 +24,13 @@ if TYPE_CHECKING:
     from carom.best_aim import BestAim
     from carom.cue import Cue, Shot
     from carom.ensemble import Design, Ensemble, Grid, Invalid, Varied
-    from carom.ensemble import Progress as EnsembleProgress
     from carom.events import Event
     from carom.goal import Goal
     from carom.method import Method
     from carom.noise import ExecutionNoise, Success
     from carom.observables import Progress, Request
     from carom.physics import Physics
+    from carom.progress import Progress as RunsProgress
     from carom.rack import Rack
     from carom.recording import Checkpoints, EventStream, Snapshots
     from carom.run import Run
@@ -462,7 +462,7 @@ class Scenario:
         seed: int = 0,
         threads: int | None = None,
         invalid: Invalid = "error",
-        progress: EnsembleProgress | None = None,
+        progress: RunsProgress | bool | None = None,
         equilibrate: float = 0.0,
         sample_interval: float | None = None,
     ) -> Ensemble:
@@ -480,7 +480,8 @@ class Scenario:
             ``closest_approach.A.B`` of two balls, between their centres; of gases what can be observed, such as
             ``pressure``, each number with its standard error. The status is kept in any case.
         functions : mapping of str to callable, optional
-            More columns: what these functions give for each `Run`. They take much longer, one run after the other.
+            More columns: what these functions give for each `Run` that has an outcome. They take much longer, one run
+            after the other, when all rows are run.
         runs : int, optional
             The number of runs; needed where everything is drawn.
         design : "independent", "latin_hypercube" or "sobol", optional
@@ -491,20 +492,27 @@ class Scenario:
             On how many threads; absent: as many as there are cores. It changes no bit.
         invalid : "error" or "keep", optional
             What to do about rows whose numbers make no scenario.
-        progress : callable, optional
-            Called now and then with the number of runs done and of all; what is true ends the ensemble.
+        progress : bool or callable, optional
+            With true a bar on stderr, where that is a terminal, or in a notebook. A function is called now and then
+            with the number of runs done and of all; what is true ends the ensemble. Either counts anew while
+            `functions` are called, up to the number of runs that have outcomes.
         equilibrate, sample_interval : float, optional
             When gases are observed; see `run`.
 
         Returns
         -------
         Ensemble
-            A row for each run. After Ctrl-C, or where `progress` ends it, the rows that are left say ``not_run``.
+            A row for each run, with columns for the balls of this scenario; what a row has beyond them, with a larger
+            ``gas.n``, has none. After Ctrl-C, or where `progress` ends it, rows that are left say ``not_run``, and what
+            functions were not called for is None.
 
         Raises
         ------
         ScenarioError
-            When a path leads nowhere, lists differ in length, a distribution makes no sense, or rows make no scenario.
+            When a path leads to no number, lists differ in length, a distribution makes no sense, or rows make no
+            scenario.
+        RuntimeError
+            When one of `functions` raises an exception, which is its cause.
 
         Examples
         --------
@@ -541,6 +549,7 @@ class Scenario:
         seed: int = 0,
         level: float = 0.95,
         threads: int | None = None,
+        progress: RunsProgress | bool | None = None,
     ) -> Success:
         """Tell how likely this shot meets a goal, played by someone whose strokes scatter.
 
@@ -561,11 +570,13 @@ class Scenario:
             How sure the interval is, between 0 and 1.
         threads : int, optional
             On how many threads; absent: as many as there are cores.
+        progress : bool or callable, optional
+            As in `ensemble`.
 
         Returns
         -------
         Success
-            After Ctrl-C it is of the strokes that were finished.
+            After Ctrl-C, or where `progress` ends it, it is of the strokes that were finished.
 
         Raises
         ------
@@ -586,7 +597,17 @@ class Scenario:
         """
         from carom.noise import success
 
-        return success(self, goal, noise, runs=runs, outcomes=outcomes, seed=seed, level=level, threads=threads)
+        return success(
+            self,
+            goal,
+            noise,
+            runs=runs,
+            outcomes=outcomes,
+            seed=seed,
+            level=level,
+            threads=threads,
+            progress=progress,
+        )
 
     def best_aim(
         self,
@@ -599,7 +620,7 @@ class Scenario:
         seed: int = 0,
         level: float = 0.95,
         threads: int | None = None,
-        progress: EnsembleProgress | None = None,
+        progress: RunsProgress | bool | None = None,
     ) -> BestAim:
         """Find what to mean so that a goal is met most often, for someone whose strokes scatter.
 
@@ -618,8 +639,8 @@ class Scenario:
             How many strokes to try at each point.
         outcomes, seed, level, threads
             As of `success`.
-        progress : callable, optional
-            Called now and then with the number of runs done and of all; what is true ends the search.
+        progress : bool or callable, optional
+            As in `ensemble`; what is true ends the search.
 
         Returns
         -------

@@ -14,7 +14,6 @@ import typer
 
 from carom.cli import INTERRUPTED, options
 from carom.cli.folder import check_free, filling
-from carom.cli.measuring import counting
 from carom.cli.output import print_json, print_table, reporting
 from carom.errors import ScenarioError
 
@@ -62,8 +61,7 @@ def map_(
     path_x, path_y = axes
     grid = _grid({path_y: axes[path_y], path_x: axes[path_x]})
     outcomes = _outcomes_of(chosen, grid, show)
-    with counting("runs", "runs") as told:
-        table = chosen.ensemble(grid, outcomes, threads=threads, invalid="keep", progress=told)
+    table = chosen.ensemble(grid, outcomes, threads=threads, invalid="keep", progress=True)
     if not table.is_complete:
         raise typer.Exit(INTERRUPTED)
     if not table.has_outcome.any():

@@ -16,11 +16,10 @@ import typer
 from carom.cli import INTERRUPTED
 from carom.cli.folder import filling
 from carom.cli.output import print_json, print_table, say_error
+from carom.progress import new_bar
 
 if TYPE_CHECKING:
     from types import FrameType
-
-    from rich.progress import Progress
 
     from carom.observables import Observable, Observables
     from carom.run import Run
@@ -78,21 +77,6 @@ def waiting(words: str) -> Iterator[None]:
         yield
 
 
-def _progress() -> Progress:
-    """Give a bar on stderr with words, a speed and the time left, which goes when it is done."""
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
-
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        TaskProgressColumn(),
-        TextColumn("{task.fields[speed]}"),
-        TimeRemainingColumn(),
-    )
-    return Progress(*columns, console=Console(stderr=True), transient=True)
-
-
 @contextmanager
 def bar(most: int | None, end: float | None, already: int = 0) -> Iterator[Callable[[float, int, int], None]]:
     """Show on a terminal how far the run has come, at what speed, and how long it will take.
@@ -107,7 +91,7 @@ def bar(most: int | None, end: float | None, already: int = 0) -> Iterator[Calla
     if not sys.stderr.isatty():
         yield lambda *_: None
         return
-    with _progress() as progress:
+    with new_bar() as progress:
         task = progress.add_task("to equilibrium", total=1.0, speed="")
         began = progress.get_time()
 
@@ -116,26 +100,6 @@ def bar(most: int | None, end: float | None, already: int = 0) -> Iterator[Calla
             rate = (done - already) / max(progress.get_time() - began, 1e-9)
             words = f"{samples} sample{'s' * (samples > 1)}" if samples else "to equilibrium"
             progress.update(task, completed=share, description=words, speed=f"{rate:,.0f} events/s")
-
-        yield tell
-
-
-@contextmanager
-def counting(words: str, unit: str) -> Iterator[Callable[[int, int], None]]:
-    """Show on a terminal how many of all are done, at what speed, and how long the others will take."""
-    if not sys.stderr.isatty():
-        yield lambda *_: None
-        return
-    with _progress() as progress:
-        task = progress.add_task(words, total=None, speed="")
-        first: list[tuple[float, int]] = []
-
-        def tell(done: int, of: int) -> None:
-            now = progress.get_time()
-            if not first:
-                first.append((now, done))
-            rate = (done - first[0][1]) / max(now - first[0][0], 1e-9)
-            progress.update(task, completed=done, total=of, speed=f"{rate:,.0f} {unit}/s")
 
         yield tell
 

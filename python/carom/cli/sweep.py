@@ -9,8 +9,9 @@ from typing import Annotated, Literal
 import typer
 
 from carom.cli import INTERRUPTED, options
-from carom.cli.measuring import counting, interruptible
+from carom.cli.measuring import interruptible
 from carom.cli.output import print_json, print_table, reporting, say_error
+from carom.progress import counting
 
 Engine = Literal["threads", "dask"]
 

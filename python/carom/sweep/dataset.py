@@ -22,6 +22,7 @@ from carom.ensemble import native_ensemble
 from carom.errors import RecordError
 from carom.extras import needed
 from carom.files import replacing, write_text
+from carom.progress import Progress, telling
 from carom.sweep.plan import Plan, read_plan
 from carom.sweep.work import ROW, Computed, compute
 
@@ -35,9 +36,6 @@ SHARED = "the folder has to be one that all workers see, and Carom the same ever
 Engine = Literal["threads", "dask"]
 """What computes the parts of a sweep."""
 ENGINES = get_args(Engine)
-
-Progress = Callable[[int, int], object]
-"""Told now and then of the rows done and of all; ends the sweep by what is true."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,7 +120,7 @@ class Sweep:
         threads: int | None = None,
         scheduler: str | None = None,
         workers: int | None = None,
-        progress: Progress | None = None,
+        progress: Progress | bool | None = None,
     ) -> SweepResult:
         """Compute the parts that are not there yet.
 
@@ -142,9 +140,10 @@ class Sweep:
             this machine, which are started for this call.
         workers : int, optional
             How many worker processes to start; absent: as many as there are cores.
-        progress : callable, optional
-            Called now and then with the rows done and all rows; what is true ends the sweep. With threads the part
-            under way is dropped, on a cluster those under way are cancelled.
+        progress : bool or callable, optional
+            With true a bar on stderr, where that is a terminal, or in a notebook. A function is called now and then
+            with the rows done and all rows; what is true ends the sweep. With threads the part under way is dropped, on
+            a cluster those under way are cancelled.
 
         Raises
         ------
@@ -166,13 +165,15 @@ class Sweep:
         missing = self._missing(folder)
         done = self.rows - sum(len(self._rows_of(part)) for part in missing)
 
-        def tell(more: int) -> object:
-            return progress is not None and progress(done + more, self.rows)
+        with telling(progress, "runs") as told:
 
-        if missing and engine == "threads":
-            self._run_here(folder, missing, threads, None if progress is None else tell)
-        elif missing:
-            self._run_on_dask(folder, missing, threads or 1, scheduler, workers, tell)
+            def tell(more: int) -> object:
+                return told(done + more, self.rows)
+
+            if missing and engine == "threads":
+                self._run_here(folder, missing, threads, tell)
+            elif missing:
+                self._run_on_dask(folder, missing, threads or 1, scheduler, workers, tell)
         result = self._result(folder)
         if result.is_complete:
             _remove_what_was_left(folder)
@@ -185,9 +186,7 @@ class Sweep:
             raise KeyboardInterrupt
         _write(computed, folder / _name(part))
 
-    def _run_here(
-        self, folder: Path, parts: list[int], threads: int | None, tell: Callable[[int], object] | None
-    ) -> None:
+    def _run_here(self, folder: Path, parts: list[int], threads: int | None, tell: Callable[[int], object]) -> None:
         done = 0
         with ThreadPoolExecutor(1) as beside:
             # While a part is computed, the one before it is written, and the inputs of the next one are drawn.
@@ -197,7 +196,7 @@ class Sweep:
                 inputs = drawn.result()
                 if following is not None:
                     drawn = beside.submit(self._inputs, following)
-                computed = self._compute(inputs, threads, None if tell is None else partial(_added, tell, done))
+                computed = self._compute(inputs, threads, partial(_added, tell, done))
                 if written is not None:
                     written.result()
                     written = None
