@@ -31,6 +31,7 @@ mod double_double;
 mod dual;
 mod extremes;
 mod fast_path;
+mod film;
 mod grid;
 mod heaps;
 mod hertz;
