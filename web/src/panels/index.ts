@@ -2,6 +2,7 @@
 
 import type { ComponentType } from "preact";
 import type { Word } from "../words/en";
+import { Compare } from "./compare/Compare";
 
 export interface Panel {
   id: string;
@@ -11,4 +12,4 @@ export interface Panel {
   isShown?: () => boolean;
 }
 
-export const panels: Panel[] = [];
+export const panels: Panel[] = [{ id: "compare", label: "compare", component: Compare }];

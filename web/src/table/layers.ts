@@ -1,6 +1,7 @@
 /** What is drawn on the table, from the ground up. A layer reads signals and draws; it changes nothing. */
 
 import type { Moment } from "../engine/film";
+import { otherRun, partingPlace } from "../panels/compare/layer";
 import { drawing, run, time } from "../studio/store";
 import { drawArrow, drawBalls, drawTable, type Pen } from "./draw";
 import { arrowSeconds, options } from "./options";
@@ -66,4 +67,4 @@ const arrows: Layer = (pen, { view, bodies, palette }) => {
   });
 };
 
-export const layers: Layer[] = [ground, trails, balls, arrows];
+export const layers: Layer[] = [ground, trails, balls, otherRun, arrows, partingPlace];

@@ -49,7 +49,29 @@ export const de: Words = {
   // (end of: Files, links, downloads)
 
   // Comparing: time steps and twins
-  // (end of: Comparing: time steps and twins)
+  compare: "Vergleichen",
+  overlay: "Über diesen Lauf gelegt",
+  overlayNone: "Nichts",
+  overlayStepped: "Dasselbe in Zeitschritten",
+  overlayExact: "Der exakte Lauf",
+  overlayTwin: "Ein Zwilling mit einer leicht geänderten Zahl",
+  timeStep: "Zeitschritt Δt",
+  nudgedNumber: "Die geänderte Zahl",
+  nudge: "Die Änderung",
+  parted:
+    "Die Läufe trennen sich zur Zeit {time}: Von da an ist {ball} mehr als {apart} vom anderen Selbst entfernt.",
+  neverParted:
+    "Die Läufe trennen sich nicht: Keine Kugel ist je mehr als {apart} von ihrem anderen Selbst entfernt.",
+  goThere: "Dorthin",
+  noDifference: "Die beiden Läufe sind gleich.",
+  differenceTitle: "Größter Abstand zwischen einer Kugel und ihrem anderen Selbst über der Zeit",
+  thisRun: "Dieser Lauf",
+  otherRun: "Der andere",
+  auditEnd: "Endzeit",
+  auditContacts: "Stöße",
+  auditEnergy: "Energie am Ende",
+  auditOverlap: "Tiefste Überlappung",
+  auditLost: "Verlorene Zeit",
 
   // The cue
   // (end of: The cue)

@@ -47,7 +47,27 @@ export const en = {
   // (end of: Files, links, downloads)
 
   // Comparing: time steps and twins
-  // (end of: Comparing: time steps and twins)
+  compare: "Compare",
+  overlay: "Laid over this run",
+  overlayNone: "Nothing",
+  overlayStepped: "The same in time steps",
+  overlayExact: "The exact run",
+  overlayTwin: "A twin with one number nudged",
+  timeStep: "Time step Δt",
+  nudgedNumber: "The nudged number",
+  nudge: "The nudge",
+  parted: "The runs part at time {time}: from then on {ball} is more than {apart} from its other self.",
+  neverParted: "The runs do not part: no ball is ever more than {apart} from its other self.",
+  goThere: "Go there",
+  noDifference: "The two runs are the same.",
+  differenceTitle: "Largest distance between a ball and its other self, over time",
+  thisRun: "This run",
+  otherRun: "The other",
+  auditEnd: "End time",
+  auditContacts: "Collisions",
+  auditEnergy: "Energy at the end",
+  auditOverlap: "Deepest overlap",
+  auditLost: "Time lost",
 
   // The cue
   // (end of: The cue)
