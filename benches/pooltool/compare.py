@@ -2,8 +2,8 @@
 
     make bench-pooltool
 
-First how far they agree, for every pair of laws, then how fast they are. The exit status is 1 where they do not agree
-as they should.
+First how far they agree, for every pair of laws, then how fast they are, also at breaks by the thousand. The exit
+status is 1 where they do not agree as they should.
 """
 
 import json
@@ -19,6 +19,7 @@ from collections import Counter
 from itertools import chain
 from pathlib import Path
 
+import breaks
 import pooltool_process
 import shots
 from agreement import PLACE, TIME, agreement
@@ -49,6 +50,8 @@ def main():
         found = [compared(pooltool, shot, path) for shot in shots.two_ball_shots(EACH)]
         agreed = print_agreement(found)
         print_speeds(pooltool, path)
+        shot = shots.breaks(1)[0]
+        agreed &= breaks.print_breaks(scenario_of(pooltool, shot, path), shot)
     print_first_shots(path)
     sys.exit(not agreed)
 

@@ -2,6 +2,7 @@
 
     {"do": "play", "shot": {...}, "spacer": 1e-6}    the shot's events, where its balls end, and what is wrong with it
     {"do": "time", "shot": {...}, "plays": n}        seconds of each of n times `simulate`
+    {"do": "strokes", "shot": {...}, "strokes": [...]}   the same shot with other strokes: see `play_strokes`
     {"do": "cold", "shot": {...}}                    seconds of the import, and of this process's first `simulate`
     {"do": "system", "shot": {...}, "path": "..."}   writes the shot as pooltool's `System.save` does, not yet played
 
@@ -29,6 +30,9 @@ APART = 1.01
 
 INSIDE = 2e-6
 """Balls deeper in each other than this, in m, have been missed by the search."""
+
+ERRORS = (ArithmeticError, AssertionError, RuntimeError, ValueError)
+"""What `simulate` raises at shots that it cannot play."""
 
 
 def engine_of(laws):
@@ -58,7 +62,7 @@ def play(shot, spacer=1e-6):
     places = {name: ball.xyz[:2].tolist() for name, ball in system.balls.items()}
     try:
         pt.simulate(system, engine=engine_of(shot["laws"]), inplace=True)
-    except (ArithmeticError, AssertionError, RuntimeError, ValueError) as error:
+    except ERRORS as error:
         return {"balls": places, "events": [], "end": {}, "faults": [f"raises {type(error).__name__}"]}
     return {
         "balls": places,
@@ -117,12 +121,35 @@ def seconds(shot):
     return time.perf_counter() - start
 
 
+def play_strokes(shot, strokes):
+    """Give the seconds of each stroke, and what `end_of_break` says of it, or None where `simulate` raises an error."""
+    base, engine = system_of(shot), engine_of(shot["laws"])
+    return [play_stroke(base.copy(), stroke, engine) for stroke in strokes]
+
+
+def play_stroke(system, stroke, engine):
+    system.strike(**stroke)
+    start = time.perf_counter()
+    try:
+        pt.simulate(system, engine=engine, inplace=True)
+        return time.perf_counter() - start, end_of_break(system)
+    except ERRORS:
+        return time.perf_counter() - start, None
+
+
+def end_of_break(system):
+    """How many balls are in pockets, and when the last one came to rest."""
+    return sum(end_of(ball) is None for ball in system.balls.values()), system.t
+
+
 def answer(request):
     shot = request["shot"]
     if request["do"] == "play":
         return play(shot, request.get("spacer", 1e-6))
     if request["do"] == "time":
         return [seconds(shot) for _ in range(request["plays"])]
+    if request["do"] == "strokes":
+        return play_strokes(shot, request["strokes"])
     if request["do"] == "cold":
         return {"import": IMPORT_SECONDS, "first": seconds(shot)}
     system_of(shot).save(request["path"])
