@@ -2,7 +2,7 @@
 
     {"do": "play", "shot": {...}, "spacer": 1e-6}    the shot's events, where its balls end, and what is wrong with it
     {"do": "time", "shot": {...}, "plays": n}        seconds of each of n times `simulate`
-    {"do": "strokes", "shot": {...}, "strokes": [...]}   the same shot with other strokes: see `play_strokes`
+    {"do": "strokes", "shot": {...}, "strokes": [...], "clock": "process_time"}   see `play_strokes`
     {"do": "cold", "shot": {...}}                    seconds of the import, and of this process's first `simulate`
     {"do": "system", "shot": {...}, "path": "..."}   writes the shot as pooltool's `System.save` does, not yet played
 
@@ -121,20 +121,20 @@ def seconds(shot):
     return time.perf_counter() - start
 
 
-def play_strokes(shot, strokes):
-    """Give the seconds of each stroke, and what `end_of_break` says of it, or None where `simulate` raises an error."""
+def play_strokes(shot, strokes, clock):
+    """Play other strokes of a shot: the seconds of each, and its `end_of_break`, None where there is an error."""
     base, engine = system_of(shot), engine_of(shot["laws"])
-    return [play_stroke(base.copy(), stroke, engine) for stroke in strokes]
+    return [play_stroke(base.copy(), stroke, engine, getattr(time, clock)) for stroke in strokes]
 
 
-def play_stroke(system, stroke, engine):
+def play_stroke(system, stroke, engine, now):
     system.strike(**stroke)
-    start = time.perf_counter()
+    start = now()
     try:
         pt.simulate(system, engine=engine, inplace=True)
-        return time.perf_counter() - start, end_of_break(system)
+        return now() - start, end_of_break(system)
     except ERRORS:
-        return time.perf_counter() - start, None
+        return now() - start, None
 
 
 def end_of_break(system):
@@ -149,7 +149,7 @@ def answer(request):
     if request["do"] == "time":
         return [seconds(shot) for _ in range(request["plays"])]
     if request["do"] == "strokes":
-        return play_strokes(shot, request["strokes"])
+        return play_strokes(shot, request["strokes"], request["clock"])
     if request["do"] == "cold":
         return {"import": IMPORT_SECONDS, "first": seconds(shot)}
     system_of(shot).save(request["path"])
