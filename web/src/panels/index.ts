@@ -3,6 +3,7 @@
 import type { ComponentType } from "preact";
 import type { Word } from "../words/en";
 import { Compare } from "./compare/Compare";
+import { RunPanel } from "./RunPanel";
 
 export interface Panel {
   id: string;
@@ -12,4 +13,7 @@ export interface Panel {
   isShown?: () => boolean;
 }
 
-export const panels: Panel[] = [{ id: "compare", label: "compare", component: Compare }];
+export const panels: Panel[] = [
+  { id: "compare", label: "compare", component: Compare },
+  { id: "run", label: "run", component: RunPanel },
+];

@@ -13,7 +13,7 @@ export function Gallery() {
       <ul class="cards">
         {Object.keys(SCENARIOS).map((name) => (
           <li key={name}>
-            <button type="button" class="card" onClick={() => openNamed(name)}>
+            <button type="button" class="card" data-scenario={name} onClick={() => openNamed(name)}>
               {name}
             </button>
           </li>

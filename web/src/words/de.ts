@@ -81,4 +81,32 @@ export const de: Words = {
 
   // What the table shows
   // (end of: What the table shows)
+
+  // The run
+  run: "Lauf",
+  eventsOfRun: "Ereignisse",
+  audit: "Was der Lauf über sich selbst herausfand",
+  initialEnergy: "Energie am Anfang",
+  finalEnergy: "Energie am Ende",
+  energyLoss: "Energie, die die Gesetze nahmen",
+  energyDrift: "Energie ohne Nachweis",
+  momentumError: "Größter Impulsfehler bei einem Stoß",
+  deepestOverlap: "Tiefste Überlappung zweier Kugeln",
+  clusters: "Stöße mehrerer Kugeln zugleich",
+  corrections: "Korrekturen durch den Rechenkern",
+  sameBits: "Prüfsumme des Endzustands",
+  noDigest: "keine: Eine Zahl im Endzustand ist keine Zahl",
+  madeWith:
+    "Carom {version}, Physikversion {physics}. Wo immer dieses Szenario läuft, ist die Prüfsumme diese.",
+  verifyWith: "In der Kommandozeile: carom run {name}.",
+  sources: "Quellen der Gesetze, die wirkten",
+  inSteps: "Er wurde in Zeitschritten berechnet.",
+  status_time_limit: "Der Lauf kam bis zu seiner vollen Zeit, {time}.",
+  status_collision_limit: "Der Lauf endete mit dem letzten verlangten Stoß, bei {time}.",
+  status_stopped: "Der Lauf wurde bei {time} angehalten.",
+  status_at_rest: "Ab {time} ruht alles.",
+  status_collapsed: "Der Lauf endete bei {time}: Stöße folgten einander ohne Ende.",
+  status_event_limit: "Der Lauf endete bei {time}, wo sein Vorrat an Ereignissen verbraucht war.",
+  status_interrupted: "Der Lauf wurde bei {time} abgebrochen.",
+  status_miscue: "Die Pomeranze rutschte bei {time} ab: ein Fehlstoß.",
 };

@@ -77,6 +77,34 @@ export const en = {
 
   // What the table shows
   // (end of: What the table shows)
+
+  // The run
+  run: "Run",
+  eventsOfRun: "Events",
+  audit: "What the run found out about itself",
+  initialEnergy: "Energy at the start",
+  finalEnergy: "Energy at the end",
+  energyLoss: "Energy that the laws took",
+  energyDrift: "Energy that is not accounted for",
+  momentumError: "Largest error of momentum in a collision",
+  deepestOverlap: "Deepest overlap of two balls",
+  clusters: "Collisions of several balls at once",
+  corrections: "Corrections made by the engine",
+  sameBits: "Digest of the final state",
+  noDigest: "none: a number in the final state is not a number",
+  madeWith:
+    "Carom {version}, physics version {physics}. Wherever this scenario is run, the digest is this one.",
+  verifyWith: "On the shell: carom run {name}.",
+  sources: "Sources of the laws that acted",
+  inSteps: "It was computed in time steps.",
+  status_time_limit: "The run came to its full time, {time}.",
+  status_collision_limit: "The run ended with its last collision that was asked for, at {time}.",
+  status_stopped: "The run was stopped at {time}.",
+  status_at_rest: "Everything is at rest from {time} on.",
+  status_collapsed: "The run ended at {time}: collisions followed each other without end.",
+  status_event_limit: "The run ended at {time}, where its budget of events was used up.",
+  status_interrupted: "The run was broken off at {time}.",
+  status_miscue: "The tip slipped off the ball at {time}: a miscue.",
 };
 
 export type Words = typeof en;
