@@ -16,7 +16,9 @@ export function word(key: Word, values: Record<string, string | number> = {}): s
   );
 }
 
-/** A number as people read it, with so many significant digits. */
+/** A number as people read it, with so many significant digits; very small and very large ones with a power of ten. */
 export function number(value: number, digits = 4): string {
-  return new Intl.NumberFormat(language.value, { maximumSignificantDigits: digits }).format(value);
+  const size = Math.abs(value);
+  const notation = size !== 0 && (size < 1e-4 || size >= 1e9) ? "scientific" : "standard";
+  return new Intl.NumberFormat(language.value, { maximumSignificantDigits: digits, notation }).format(value);
 }
