@@ -17,7 +17,7 @@ BINDGEN_VERSION := $(shell sed -n 's/^wasm-bindgen = "=\(.*\)"/\1/p' crates/caro
 BINDGEN := target/wasm-bindgen-$(BINDGEN_VERSION)/bin/wasm-bindgen
 PAGE := $(shell find web -type f -not -path '*/node_modules/*' -not -path 'web/dist/*' -not -path 'web/engine/*' 2>/dev/null)
 
-.PHONY: help build run page test-page check-engine test test-rust test-python lint lint-rust lint-python format docs licences
+.PHONY: help build run page both test-page check-engine test test-rust test-python lint lint-rust lint-python format docs licences
 .PHONY: pictures third-party bench bench-gas bench-pooltool campaign campaign-gas digests checkpoint wheel wheel-check floors clean
 
 help: ## List these commands
@@ -44,7 +44,11 @@ check-engine: ## Check the engine while you work on it: format, lints, laws, sce
 	$(CARGO) test --locked --quiet -p carom --lib --test arrows --test scenario --test digests
 	$(CARGO) test --locked --quiet -p carom --test engine -- laws references closed_forms
 
-test: test-rust test-python test-page lint docs ## Run every test and lint, and build the site
+test: both test-rust test-python test-page lint docs ## Run every test and lint, and build the site
+
+# The package and the page are linked on one core each, so they are built at once.
+both:
+	@$(MAKE) --no-print-directory -j2 build page
 
 test-rust: ## Run the engine's tests, the golden digests in an unoptimised build too
 	@$(need_rust)
@@ -53,7 +57,7 @@ test-rust: ## Run the engine's tests, the golden digests in an unoptimised build
 
 test-python: build ## Run the package's tests
 	@$(want_octave)
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest --numprocesses=auto
 
 lint: lint-rust lint-python licences ## Check format, lints, types, stubs, project files and licences
 
