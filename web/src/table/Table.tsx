@@ -9,10 +9,10 @@ import { ballColours, DARK, LIGHT } from "./colours";
 import type { Body } from "./draw";
 import { onEachFrame } from "./frames";
 import { layers } from "./layers";
-import { fitted, type View } from "./view";
+import { aspect, fitted, type View } from "./view";
 
 /** Pixels around the table. */
-const MARGIN = 28;
+export const MARGIN = 28;
 
 /** What the layers of the table are drawn from. */
 export interface Scene {
@@ -59,5 +59,13 @@ export function Table() {
   }, [drawn, width, height, palette, scenario.value]);
 
   const label = word("tableLabel", { balls: drawn?.balls.length ?? 0, time: number(time.value) });
-  return <canvas class="table" ref={canvas} role="img" aria-label={run.value ? label : ""} />;
+  return (
+    <canvas
+      class="table"
+      ref={canvas}
+      role="img"
+      aria-label={run.value ? label : ""}
+      style={{ "--aspect": drawn ? aspect(drawn.table) : 1 }}
+    />
+  );
 }
