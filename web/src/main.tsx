@@ -3,6 +3,7 @@
 import { effect } from "@preact/signals";
 import { render } from "preact";
 import { App, headline } from "./studio/App";
+import { isEmbedded, openFramed } from "./studio/embed";
 import { begin } from "./studio/store";
 import { language, word } from "./words";
 import "./style/base.css";
@@ -18,3 +19,4 @@ effect(() => {
 const root = document.getElementById("studio");
 if (root) render(<App />, root);
 void begin();
+if (isEmbedded) void openFramed();

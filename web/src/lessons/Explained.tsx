@@ -67,8 +67,8 @@ function Table(props: {
       <thead>
         <tr>
           <td />
-          <th scope="col">{word("before")}</th>
-          <th scope="col">{word("after")}</th>
+          <th scope="col">{word("lessonBefore")}</th>
+          <th scope="col">{word("lessonAfter")}</th>
         </tr>
       </thead>
       <tbody>
@@ -164,10 +164,10 @@ function Delays() {
         <caption>{word("delayCaption")}</caption>
         <thead>
           <tr>
-            <th scope="col">{word("hit")}</th>
-            <th scope="col">{word("exact")}</th>
-            <th scope="col">{word("inSteps")}</th>
-            <th scope="col">{word("later")}</th>
+            <th scope="col">{word("lessonHit")}</th>
+            <th scope="col">{word("lessonExact")}</th>
+            <th scope="col">{word("lessonInSteps")}</th>
+            <th scope="col">{word("lessonLater")}</th>
           </tr>
         </thead>
         <tbody>
@@ -188,7 +188,7 @@ function Delays() {
         </tbody>
       </table>
       <p>
-        {word("apartNow", {
+        {word("lessonApartNow", {
           ball: idOf(ball),
           distance: small(distance([main, ball], [second, ball], now.time)),
         })}
@@ -233,7 +233,7 @@ function Distances({ instant }: { instant: Instant }) {
   const now = at(instant.time);
   return (
     <p>
-      {word("apart", { distance: small(now) })}{" "}
+      {word("lessonApart", { distance: small(now) })}{" "}
       {previous && word("timesAsFar", { factor: number(now / at(previous.time), 2) })}
     </p>
   );

@@ -3,10 +3,11 @@
 import { useEffect, useRef } from "preact/hooks";
 import { Messages } from "../studio/App";
 import { Icon } from "../studio/Icon";
-import { isPlaying } from "../studio/store";
+import { drawing, isPlaying, time } from "../studio/store";
 import { Transport } from "../studio/Transport";
+import { Plate } from "../table/Plate";
 import { Table } from "../table/Table";
-import { word } from "../words";
+import { number, word } from "../words";
 import { Chart } from "./Chart";
 import { Explained } from "./Explained";
 import { Glass } from "./Glass";
@@ -46,10 +47,15 @@ function Asked({ open, asked }: { open: LessonData; asked: Part }) {
   return (
     <>
       <div class="stage">
-        <div class="plate">
-          <Table />
+        <Plate
+          label={word("tableLabel", { balls: drawing.value?.balls.length ?? 0, time: number(time.value) })}
+        >
+          {/* The balls of a lesson stay where they are. */}
+          <div class="still" inert>
+            <Table />
+          </div>
           <Glass />
-        </div>
+        </Plate>
         <Messages />
         {isLocked.value ? <Lock /> : <Transport />}
       </div>
@@ -64,7 +70,7 @@ function Lock() {
       <button type="button" class="icon main" disabled aria-label={word("play")}>
         <Icon name="play" />
       </button>
-      <p>{word("locked")}</p>
+      <p>{word("lessonLocked")}</p>
     </section>
   );
 }
@@ -81,16 +87,16 @@ function Guide({ open, asked }: { open: LessonData; asked: Part }) {
       {isLocked.value && <p>{word(asked.intro)}</p>}
       {asked.other && (
         <p class="legend">
-          <Solid /> {word("exact")} <Dashed /> {word(asked.other.name)}
+          <Solid /> {word("lessonExact")} <Dashed /> {word(asked.other.name)}
         </p>
       )}
       <Prediction />
       {result.value !== null && <p class="takeaway">{word(asked.takeaway)}</p>}
       {!isLocked.value && <Collision asked={asked} />}
-      <nav class="row steps" aria-label={word("steps")}>
+      <nav class="row steps" aria-label={word("lessonSteps")}>
         {place.value > 0 && (
           <button type="button" onClick={() => openPart(place.value - 1)}>
-            {word("back")}
+            {word("lessonBack")}
           </button>
         )}
         <button
@@ -120,11 +126,11 @@ function Collision({ asked }: { asked: Part }) {
   return (
     <section class="collision" aria-labelledby="collisions">
       <h3 id="collisions" class="unseen">
-        {word("collisions")}
+        {word("unitCollisions")}
       </h3>
       <div aria-live="polite">{last && <Explained instant={last} />}</div>
       {asked.explanation === "distance" && <Chart />}
-      <p class="count">{word("soFar", { count: past.value.length, all: collisions.value.length })}</p>
+      <p class="count">{word("lessonSoFar", { count: past.value.length, all: collisions.value.length })}</p>
       <label class="choice">
         <input
           type="checkbox"
@@ -145,7 +151,7 @@ function Summary({ open }: { open: LessonData }) {
   const title = useHeadFocus(place.value);
   return (
     <article class="summary">
-      <p class="kicker">{word("summary")}</p>
+      <p class="kicker">{word("lessonSummary")}</p>
       <h2 ref={title} tabIndex={-1}>
         {word(open.title)}
       </h2>
@@ -154,15 +160,15 @@ function Summary({ open }: { open: LessonData }) {
           <li key={line}>{word(line)}</li>
         ))}
       </ul>
-      <h3>{word("predictions")}</h3>
+      <h3>{word("lessonPredictions")}</h3>
       <ol class="answers">
         {open.parts.map((asked, k) => (
           <Answer key={asked.title} asked={asked} guess={predictions.value[k]} real={results.value[k]} />
         ))}
       </ol>
-      <nav class="row steps" aria-label={word("steps")}>
+      <nav class="row steps" aria-label={word("lessonSteps")}>
         <button type="button" onClick={() => openPart(open.parts.length - 1)}>
-          {word("back")}
+          {word("lessonBack")}
         </button>
         <PrintButton />
         <button type="button" class="primary" onClick={closeLesson}>
@@ -182,16 +188,16 @@ function Answer(props: { asked: Part; guess: number | null | undefined; real: nu
       <p>{word(question.text)}</p>
       <dl class="beside">
         <div>
-          <dt>{word("prediction")}</dt>
+          <dt>{word("lessonPrediction")}</dt>
           <dd class="guess">{answerText(question, guess)}</dd>
         </div>
         <div>
-          <dt>{word("theRun")}</dt>
+          <dt>{word("lessonTheRun")}</dt>
           <dd>{answerText(question, real)}</dd>
         </div>
       </dl>
       <p class={isGood(question, guess, real) ? "verdict good" : "verdict"}>
-        {word(isGood(question, guess, real) ? "wellPredicted" : "otherwise")}
+        {word(isGood(question, guess, real) ? "wellPredicted" : "lessonOtherwise")}
       </p>
     </li>
   );

@@ -54,7 +54,7 @@ function Form({ question }: { question: Question }) {
       )}
       {question.kind === "number" && (
         <NumberField
-          label={word("prediction")}
+          label={word("lessonPrediction")}
           unit={word(question.unit)}
           value={given.value}
           onInput={(typed) => {
@@ -66,7 +66,7 @@ function Form({ question }: { question: Question }) {
         <>
           <p class="hint">{word("drawDirection")}</p>
           <NumberField
-            label={word("direction")}
+            label={word("lessonDirection")}
             unit="°"
             value={drawn.value}
             onInput={(typed) => {
@@ -76,7 +76,7 @@ function Form({ question }: { question: Question }) {
         </>
       )}
       <button type="submit" class="primary" disabled={value === null}>
-        {word("unlock")}
+        {word("lessonUnlock")}
       </button>
     </form>
   );
@@ -107,8 +107,8 @@ function NumberField(props: {
 
 /** A prediction or a result in words. */
 export function answerText(question: Question, value: number): string {
-  if (question.kind === "choice") return word(question.choices[value] ?? "noAnswer");
-  if (!Number.isFinite(value)) return word("noAnswer");
+  if (question.kind === "choice") return word(question.choices[value] ?? "lessonNoAnswer");
+  if (!Number.isFinite(value)) return word("lessonNoAnswer");
   if (question.kind === "direction") return `${signed(value)}°`;
   return `${signed(value)} ${word(question.unit)}`;
 }
@@ -120,19 +120,19 @@ function Told({ question }: { question: Question }) {
     <>
       <dl class="beside">
         <div>
-          <dt>{word("prediction")}</dt>
+          <dt>{word("lessonPrediction")}</dt>
           <dd class="guess">{answerText(question, guess)}</dd>
         </div>
         <div>
-          <dt>{word("theRun")}</dt>
-          <dd aria-live="polite">{real === null ? word("notYet") : answerText(question, real)}</dd>
+          <dt>{word("lessonTheRun")}</dt>
+          <dd aria-live="polite">{real === null ? word("lessonNotYet") : answerText(question, real)}</dd>
         </div>
       </dl>
       {real === null ? (
         <div class="row">
           <button type="button" class="primary" onClick={toggle}>
             <Icon name={isPlaying.value ? "pause" : "play"} />
-            {word(isPlaying.value ? "pause" : time.value > 0 ? "goOn" : "play")}
+            {word(isPlaying.value ? "pause" : time.value > 0 ? "lessonGoOn" : "play")}
           </button>
           <button type="button" class="plain" onClick={skipToAnswer}>
             {word("skipToAnswer")}
@@ -140,7 +140,7 @@ function Told({ question }: { question: Question }) {
         </div>
       ) : (
         <p class={isGood(question, guess, real) ? "verdict good" : "verdict"}>
-          {word(isGood(question, guess, real) ? "wellPredicted" : "otherwise")}
+          {word(isGood(question, guess, real) ? "wellPredicted" : "lessonOtherwise")}
         </p>
       )}
     </>

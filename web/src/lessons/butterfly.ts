@@ -58,7 +58,7 @@ export const butterfly: Lesson = {
       question: {
         kind: "number",
         text: "butterflyQuestion2",
-        unit: "hits",
+        unit: "unitHits",
         tolerance: 0.15,
         answer: parting,
       },
@@ -76,7 +76,7 @@ export const butterfly: Lesson = {
       question: {
         kind: "number",
         text: "butterflyQuestion3",
-        unit: "hits",
+        unit: "unitHits",
         tolerance: 0.15,
         answer: parting,
       },

@@ -22,7 +22,7 @@ const counted = (mass: number, { title, intro, question, takeaway }: Words, how:
   question: {
     kind: "number",
     text: question,
-    unit: "collisions",
+    unit: "unitCollisions",
     tolerance: 0,
     answer: ({ main: { events } }) => {
       const all = instants(events);

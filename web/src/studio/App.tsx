@@ -4,6 +4,7 @@ import { signal } from "@preact/signals";
 import { Lesson } from "../lessons/Lesson";
 import { closeLesson, lesson } from "../lessons/state";
 import { panels } from "../panels";
+import { Plate } from "../table/Plate";
 import { Table } from "../table/Table";
 import { LANGUAGES, type Language, language, number, speak, word } from "../words";
 import { described } from "./describe";
@@ -147,7 +148,9 @@ function Studio() {
 function Stage() {
   return (
     <div class="stage">
-      <Table />
+      <Plate>
+        <Table />
+      </Plate>
       <Messages />
       <Transport />
     </div>

@@ -7,12 +7,9 @@ import type { Word } from "../words/en";
 import { Messages } from "./App";
 import { described } from "./describe";
 import { Icon } from "./Icon";
-import { SCENARIOS } from "./scenarios";
+import { FIRST, SCENARIOS } from "./scenarios";
 import { openNamed } from "./store";
 import { Thumbnail } from "./Thumbnail";
-
-/** What the page offers first. */
-export const FIRST = "midterm";
 
 const GROUPS: { title: Word; names: string[] }[] = [
   {
@@ -103,8 +100,8 @@ function First() {
   const { title, line } = described(FIRST);
   return (
     <section class="first" aria-labelledby="first">
+      <p class="tagline">{word("tagline")}</p>
       <div class="first-text">
-        <p class="tagline">{word("tagline")}</p>
         <p class="kicker">{word("startHere")}</p>
         <h2 id="first">{title}</h2>
         <p>{line}</p>

@@ -9,7 +9,7 @@ import { ballColours, DARK, LIGHT } from "./colours";
 import type { Body } from "./draw";
 import { onEachFrame } from "./frames";
 import { layers } from "./layers";
-import { aspect, fitted, type View } from "./view";
+import { fitted, type View } from "./view";
 
 /** Pixels around the table. */
 export const MARGIN = 28;
@@ -59,13 +59,5 @@ export function Table() {
   }, [drawn, width, height, palette, scenario.value]);
 
   const label = word("tableLabel", { balls: drawn?.balls.length ?? 0, time: number(time.value) });
-  return (
-    <canvas
-      class="table"
-      ref={canvas}
-      role="img"
-      aria-label={run.value ? label : ""}
-      style={{ "--aspect": drawn ? aspect(drawn.table) : 1 }}
-    />
-  );
+  return <canvas class="table" ref={canvas} role="img" aria-label={run.value ? label : ""} />;
 }
