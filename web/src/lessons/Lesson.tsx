@@ -11,7 +11,7 @@ import { number, word } from "../words";
 import { Chart } from "./Chart";
 import { Explained } from "./Explained";
 import { Glass } from "./Glass";
-import { answerText, Prediction } from "./Prediction";
+import { Beside, Prediction } from "./Prediction";
 import { Sheet } from "./Sheet";
 import {
   closeLesson,
@@ -27,7 +27,7 @@ import {
   result,
   results,
 } from "./state";
-import { isGood, type Lesson as LessonData, type Part } from "./types";
+import type { Lesson as LessonData, Part } from "./types";
 import "../style/lessons.css";
 
 export function Lesson() {
@@ -186,19 +186,7 @@ function Answer(props: { asked: Part; guess: number | null | undefined; real: nu
   return (
     <li>
       <p>{word(question.text)}</p>
-      <dl class="beside">
-        <div>
-          <dt>{word("lessonPrediction")}</dt>
-          <dd class="guess">{answerText(question, guess)}</dd>
-        </div>
-        <div>
-          <dt>{word("lessonTheRun")}</dt>
-          <dd>{answerText(question, real)}</dd>
-        </div>
-      </dl>
-      <p class={isGood(question, guess, real) ? "verdict good" : "verdict"}>
-        {word(isGood(question, guess, real) ? "wellPredicted" : "lessonOtherwise")}
-      </p>
+      <Beside question={question} guess={guess} real={real} />
     </li>
   );
 }

@@ -106,16 +106,17 @@ function NumberField(props: {
 }
 
 /** A prediction or a result in words. */
-export function answerText(question: Question, value: number): string {
+function answerText(question: Question, value: number): string {
   if (question.kind === "choice") return word(question.choices[value] ?? "lessonNoAnswer");
   if (!Number.isFinite(value)) return word("lessonNoAnswer");
   if (question.kind === "direction") return `${signed(value)}°`;
   return `${signed(value)} ${word(question.unit)}`;
 }
 
-/** The prediction beside what the run gives. */
-function Told({ question }: { question: Question }) {
-  const [guess, real] = [prediction.value as number, result.value];
+/** A prediction beside what the run gives, and how good it was. */
+export function Beside(props: { question: Question; guess: number; real: number | null }) {
+  const { question, guess, real } = props;
+  const isWell = real !== null && isGood(question, guess, real);
   return (
     <>
       <dl class="beside">
@@ -128,6 +129,21 @@ function Told({ question }: { question: Question }) {
           <dd aria-live="polite">{real === null ? word("lessonNotYet") : answerText(question, real)}</dd>
         </div>
       </dl>
+      {real !== null && (
+        <p class={isWell ? "verdict good" : "verdict"}>
+          {word(isWell ? "wellPredicted" : "lessonOtherwise")}
+        </p>
+      )}
+    </>
+  );
+}
+
+/** What was predicted; then how to come to the answer, or how to look at it again. */
+function Told({ question }: { question: Question }) {
+  const [guess, real] = [prediction.value as number, result.value];
+  return (
+    <>
+      <Beside question={question} guess={guess} real={real} />
       {real === null ? (
         <div class="row">
           <button type="button" class="primary" onClick={toggle}>
@@ -139,9 +155,7 @@ function Told({ question }: { question: Question }) {
           </button>
         </div>
       ) : (
-        <p class={isGood(question, guess, real) ? "verdict good" : "verdict"}>
-          {word(isGood(question, guess, real) ? "wellPredicted" : "lessonOtherwise")}
-        </p>
+        !isGood(question, guess, real) && <p>{word("lessonLookAgain")}</p>
       )}
     </>
   );

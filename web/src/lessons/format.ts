@@ -24,7 +24,8 @@ const NOTHING = 1e-12;
 
 /** The components that a table shows: one, or two in brackets. */
 export function vector([x, y]: readonly [number, number], isAlongX: boolean, scale: number): string {
-  const shown = (value: number) => signed(Math.abs(value) < NOTHING * scale ? 0 : value);
+  const digits = isAlongX ? 4 : 3;
+  const shown = (value: number) => signed(Math.abs(value) < NOTHING * scale ? 0 : value, digits);
   return isAlongX ? shown(x) : `(${shown(x)}; ${shown(y)})`;
 }
 
