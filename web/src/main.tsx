@@ -2,16 +2,21 @@
 
 import { effect } from "@preact/signals";
 import { render } from "preact";
-import { App } from "./studio/App";
+import { App, headline } from "./studio/App";
+import { isEmbedded, openFramed } from "./studio/embed";
 import { begin } from "./studio/store";
-import { language } from "./words";
+import { language, word } from "./words";
 import "./style/base.css";
 import "./style/studio.css";
+import "./style/gallery.css";
 
 effect(() => {
   document.documentElement.lang = language.value;
+  const [open, page] = [headline(), word("title")];
+  document.title = open === page ? page : `${open} · ${page}`;
 });
 
 const root = document.getElementById("studio");
 if (root) render(<App />, root);
 void begin();
+if (isEmbedded) void openFramed();

@@ -60,3 +60,9 @@ export async function open(fragment = "", options: BrowserContextOptions = {}): 
   await page.goto(address + fragment);
   return page;
 }
+
+/** Opens a ready-made scenario from the gallery. */
+export async function openScenario(page: Page, name: string) {
+  await page.locator(`[data-scenario="${name}"]`).click();
+  await page.locator(".clock").waitFor();
+}

@@ -10,7 +10,7 @@ const partingTime = /part at time ([\d.]+)/;
 
 test("the exact run and the one in steps part later the smaller the step", async () => {
   const page = await open();
-  await page.getByRole("button", { name: "midterm", exact: true }).click();
+  await page.locator('[data-scenario="midterm"]').click();
   await page.getByRole("tab", { name: "Compare" }).click();
   await page.getByLabel("The same in time steps").check();
   const panel = page.getByRole("tabpanel");
@@ -27,7 +27,7 @@ test("the exact run and the one in steps part later the smaller the step", async
 
 test("a twin that starts in another place at once is parted at once, a near one later", async () => {
   const page = await open();
-  await page.getByRole("button", { name: "stadium", exact: true }).click();
+  await page.locator('[data-scenario="stadium"]').click();
   await page.getByRole("tab", { name: "Compare" }).click();
   await page.getByLabel("A twin").check();
   const panel = page.getByRole("tabpanel");
@@ -41,7 +41,7 @@ test("a twin that starts in another place at once is parted at once, a near one 
 
 test("what the method of steps cannot do is said", async () => {
   const page = await open();
-  await page.getByRole("button", { name: "stadium", exact: true }).click();
+  await page.locator('[data-scenario="stadium"]').click();
   await page.getByRole("tab", { name: "Compare" }).click();
   await page.getByLabel("The same in time steps").check();
   await expect.poll(() => page.getByRole("alert").first().textContent()).toContain("method.kind");

@@ -104,7 +104,7 @@ export interface Vocabulary {
 }
 
 /** Runs that are kept in the worker, by what they are for. */
-export type Slot = "main" | "stepped" | "twin" | "aim";
+export type Slot = "main" | "stepped" | "twin" | "aim" | "lesson" | "picture";
 
 /** Values of a scenario by their paths, such as `balls.red.speed`. */
 export type Values = Record<string, unknown>;

@@ -1,11 +1,17 @@
 /** The page: the gallery, or a table with its panels. */
 
 import { signal } from "@preact/signals";
+import { Lesson } from "../lessons/Lesson";
+import { closeLesson, lesson } from "../lessons/state";
 import { panels } from "../panels";
+import { Plate } from "../table/Plate";
 import { Table } from "../table/Table";
-import { LANGUAGES, type Language, language, number, word } from "../words";
+import { LANGUAGES, type Language, language, number, speak, word } from "../words";
+import { described } from "./describe";
+import { isEmbedded } from "./embed";
 import { Gallery } from "./Gallery";
 import { Icon } from "./Icon";
+import { isHelpShown, Shortcuts } from "./Shortcuts";
 import { closeScenario, endTime, notice, problems, run, scenario, written } from "./store";
 import { Transport } from "./Transport";
 import { toggleTheme } from "./theme";
@@ -14,32 +20,58 @@ import { toggleTheme } from "./theme";
 export const openPanel = signal(panels[0]?.id ?? "");
 
 export function App() {
+  if (isEmbedded) return <Frame />;
   return (
     <>
       <Header />
-      {scenario.value ? <Studio /> : <Gallery />}
+      {lesson.value ? <Lesson /> : scenario.value ? <Studio /> : <Gallery />}
+      <Shortcuts />
     </>
   );
 }
 
+/** The page in a frame of another one: table and time, nothing else. */
+function Frame() {
+  return (
+    <>
+      <main class="studio framed">
+        <h1 class="unseen">{headline()}</h1>
+        <Stage />
+      </main>
+      <Shortcuts />
+    </>
+  );
+}
+
+/** The name of what is open. */
+export function headline(): string {
+  if (lesson.value) return word(lesson.value.title);
+  if (!scenario.value) return word("title");
+  const { name } = scenario.value;
+  return name ? described(name).title : String(written.value["title"] ?? word("title"));
+}
+
 function Header() {
-  const title = scenario.value ? String(written.value["title"] ?? word("title")) : word("title");
+  const isOpen = scenario.value !== null || lesson.value !== null;
   return (
     <header class="bar">
-      {scenario.value && (
-        <button type="button" class="plain" onClick={closeScenario}>
-          ← {word("gallery")}
-        </button>
-      )}
-      <h1>{title}</h1>
-      <label class="language">
-        <span class="unseen">{word("language")}</span>
-        <select
-          value={language.value}
-          onChange={(event) => {
-            language.value = event.currentTarget.value as Language;
+      <Mark />
+      {isOpen && (
+        <button
+          type="button"
+          class="plain"
+          onClick={() => {
+            if (lesson.peek()) closeLesson();
+            else closeScenario();
           }}
         >
+          <span aria-hidden="true">←</span> <span class="label">{word("gallery")}</span>
+        </button>
+      )}
+      <h1>{headline()}</h1>
+      <label class="language">
+        <span class="unseen">{word("language")}</span>
+        <select value={language.value} onChange={(event) => speak(event.currentTarget.value as Language)}>
           {Object.entries(LANGUAGES).map(([code, words]) => (
             <option key={code} value={code}>
               {words.languageName}
@@ -47,16 +79,34 @@ function Header() {
           ))}
         </select>
       </label>
-      <button
-        type="button"
-        class="icon"
-        title={word("theme")}
-        aria-label={word("theme")}
-        onClick={toggleTheme}
-      >
-        <Icon name="theme" />
-      </button>
+      <HeaderButton
+        icon="keys"
+        label={word("shortcuts")}
+        onClick={() => {
+          isHelpShown.value = true;
+        }}
+      />
+      <HeaderButton icon="theme" label={word("theme")} onClick={toggleTheme} />
     </header>
+  );
+}
+
+function HeaderButton({ icon, label, onClick }: { icon: string; label: string; onClick: () => void }) {
+  return (
+    <button type="button" class={`icon quiet ${icon}`} title={label} aria-label={label} onClick={onClick}>
+      <Icon name={icon} />
+    </button>
+  );
+}
+
+/** The mark: a ball off two cushions. */
+function Mark() {
+  return (
+    <svg class="mark" viewBox="0 0 32 32" width="32" height="32" aria-hidden="true">
+      <rect class="mark-cloth" width="32" height="32" rx="8" />
+      <path class="mark-path" d="M7 25 17 6.5 26 22" />
+      <circle class="mark-ball" cx="24.6" cy="22.5" r="4.2" />
+    </svg>
   );
 }
 
@@ -65,14 +115,10 @@ function Studio() {
   const open = shown.find(({ id }) => id === openPanel.value) ?? shown[0];
   return (
     <main class="studio">
-      <div class="stage">
-        <Table />
-        <Messages />
-        <Transport />
-      </div>
+      <Stage />
       {open && (
         <aside class="side">
-          <div role="tablist" class="tabs">
+          <div role="tablist" class="tabs" aria-label={word("panels")} onKeyDown={turnTabs}>
             {shown.map(({ id, label }) => (
               <button
                 type="button"
@@ -81,6 +127,7 @@ function Studio() {
                 id={`tab-${id}`}
                 aria-selected={id === open.id}
                 aria-controls="panel"
+                tabIndex={id === open.id ? 0 : -1}
                 onClick={() => {
                   openPanel.value = id;
                 }}
@@ -96,6 +143,29 @@ function Studio() {
       )}
     </main>
   );
+}
+
+function Stage() {
+  return (
+    <div class="stage">
+      <Plate>
+        <Table />
+      </Plate>
+      <Messages />
+      <Transport />
+    </div>
+  );
+}
+
+/** The arrow keys go from tab to tab. */
+function turnTabs(event: KeyboardEvent & { currentTarget: HTMLElement }) {
+  const turn = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+  const tabs = [...event.currentTarget.querySelectorAll<HTMLElement>("[role=tab]")];
+  const at = tabs.indexOf(document.activeElement as HTMLElement);
+  if (!turn || at < 0) return;
+  const next = tabs[(at + turn + tabs.length) % tabs.length];
+  next?.click();
+  next?.focus();
 }
 
 /** What is wrong, and what there is to say. */

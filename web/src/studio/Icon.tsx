@@ -8,7 +8,8 @@ const PATHS: Record<string, string> = {
   previous: "M5 11h9V6l6 6-6 6v-5H5z",
   next: "M5 11h9V6l6 6-6 6v-5H5z",
   close: "M6 4.6 12 10.6 18 4.6 19.4 6 13.4 12 19.4 18 18 19.4 12 13.4 6 19.4 4.6 18 10.6 12 4.6 6z",
-  theme: "M12 3a9 9 0 1 0 0 18zM12 3a9 9 0 0 1 0 18",
+  theme: "M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zm0 2.2a6.8 6.8 0 0 1 0 13.6z",
+  keys: "M3 6h18v12H3zm2 2v2h2V8zm4 0v2h2V8zm4 0v2h2V8zm4 0v2h2V8zM5 11.5v2h2v-2zm4 0v2h2v-2zm4 0v2h2v-2zm4 0v2h2v-2zM8 15v1.5h8V15z",
   undo: "M9 6 4 11l5 5v-4h6a3.5 3.5 0 0 1 0 7h-3v2h3a5.5 5.5 0 0 0 0-11H9z",
   redo: "m15 6 5 5-5 5v-4H9a3.5 3.5 0 0 0 0 7h3v2H9a5.5 5.5 0 0 1 0-11h6z",
 };
@@ -25,7 +26,7 @@ export function Icon({ name }: { name: string }) {
       aria-hidden="true"
       class={TURNED.has(name) ? "turned" : ""}
     >
-      <path d={PATHS[name] ?? ""} fill="currentColor" />
+      <path d={PATHS[name] ?? ""} fill="currentColor" fill-rule="evenodd" />
     </svg>
   );
 }

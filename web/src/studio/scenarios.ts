@@ -10,3 +10,6 @@ const texts = import.meta.glob("../../../scenarios/*.toml", {
 export const SCENARIOS: Record<string, string> = Object.fromEntries(
   Object.entries(texts).map(([path, text]) => [path.replace(/^.*\/|\.toml$/g, ""), text as string]),
 );
+
+/** The one that the page offers first. */
+export const FIRST = "midterm";

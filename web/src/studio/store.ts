@@ -253,7 +253,7 @@ effect(() => {
     before = now;
     seek(target);
     if (target >= latest() && (run.peek()?.isWhole ?? true)) pause();
-    else frame = requestAnimationFrame(tick);
+    else if (isPlaying.peek()) frame = requestAnimationFrame(tick);
   });
   return () => cancelAnimationFrame(frame);
 });

@@ -12,7 +12,7 @@ import { layers } from "./layers";
 import { fitted, type View } from "./view";
 
 /** Pixels around the table. */
-const MARGIN = 28;
+export const MARGIN = 28;
 
 /** What the layers of the table are drawn from. */
 export interface Scene {

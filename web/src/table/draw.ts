@@ -98,7 +98,13 @@ function disc(pen: Pen, view: View, x: number, y: number, pixels: number) {
 /** The pixels of a ball's radius; a point is drawn too. */
 export const pixelsOf = (radius: number, view: View) => Math.max(radius * view.scale, 2.5);
 
-export function drawBalls(pen: Pen, bodies: Body[], { x, y }: Moment, view: View, palette: Palette) {
+export function drawBalls(
+  pen: Pen,
+  bodies: Body[],
+  { x, y }: Pick<Moment, "x" | "y">,
+  view: View,
+  palette: Palette,
+) {
   pen.save();
   if (bodies.length >= MANY) drawMany(pen, bodies, x, y, view);
   else {

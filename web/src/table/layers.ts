@@ -1,6 +1,8 @@
 /** What is drawn on the table, from the ground up. A layer reads signals and draws; it changes nothing. */
 
 import type { Moment } from "../engine/film";
+import { lessonBalls, lessonDirections } from "../lessons/layer";
+import { lesson } from "../lessons/state";
 import { otherRun, partingPlace } from "../panels/compare/layer";
 import { drawing, run, time } from "../studio/store";
 import { drawArrow, drawBalls, drawTable, type Pen } from "./draw";
@@ -67,4 +69,20 @@ const arrows: Layer = (pen, { view, bodies, palette }) => {
   });
 };
 
-export const layers: Layer[] = [ground, trails, balls, otherRun, arrows, partingPlace];
+/** What panels draw is not wanted in a lesson, which has its own. */
+const besideLessons =
+  (layer: Layer): Layer =>
+  (pen, scene) => {
+    if (!lesson.value) layer(pen, scene);
+  };
+
+export const layers: Layer[] = [
+  ground,
+  trails,
+  lessonBalls,
+  balls,
+  besideLessons(otherRun),
+  arrows,
+  besideLessons(partingPlace),
+  lessonDirections,
+];

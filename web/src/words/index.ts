@@ -1,13 +1,35 @@
 /** The words of the page in the language that is chosen. */
 
 import { signal } from "@preact/signals";
-import { de } from "./de";
+import { remember, remembered } from "../studio/visit";
+import { de, scenarios } from "./de";
 import { en, type Word, type Words } from "./en";
 
 export const LANGUAGES = { en, de } satisfies Record<string, Words>;
 export type Language = keyof typeof LANGUAGES;
 
-export const language = signal<Language>(navigator.language.startsWith("de") ? "de" : "en");
+/** What is said of a ready-made scenario: its title, and one sentence. */
+export interface Description {
+  title: string;
+  line: string;
+}
+
+/** The words of the ready-made scenarios, by their names; those in English stand in their files. */
+export const SCENARIO_WORDS: Record<Language, Record<string, Description>> = { en: {}, de: scenarios };
+
+const isLanguage = (code: string | null): code is Language => code !== null && code in LANGUAGES;
+
+const saidBefore = remembered("language");
+const preferred = navigator.language.slice(0, 2);
+
+export const language = signal<Language>(
+  isLanguage(saidBefore) ? saidBefore : isLanguage(preferred) ? preferred : "en",
+);
+
+export function speak(code: Language) {
+  language.value = code;
+  remember("language", code);
+}
 
 /** The word in the chosen language, with values put in where {braces} are. */
 export function word(key: Word, values: Record<string, string | number> = {}): string {
