@@ -31,7 +31,11 @@ export class Film {
   /** The row that each ball was last found on: the next one is near as a rule. */
   readonly #rows: Uint32Array;
 
-  constructor(readonly data: FilmData) {
+  /** A run in steps has flights in which a ball waits for the end of the step, with the velocity of the next. */
+  constructor(
+    readonly data: FilmData,
+    readonly isStepped = false,
+  ) {
     this.ballCount = data.firstRows.length - 1;
     this.isOnCloth = data.width === SPHERE_WIDTH;
     this.#rows = data.firstRows.slice(0, this.ballCount);
@@ -41,7 +45,7 @@ export class Film {
   at(time: number, into: Moment = newMoment(this.ballCount)): Moment {
     into.time = time;
     for (let ball = 0; ball < this.ballCount; ball++) {
-      this.#put(ball, time, this.#row(ball, time), into);
+      this.#put(ball, time, this.row(ball, time), into);
     }
     return into;
   }
@@ -56,7 +60,7 @@ export class Film {
   /** The code of how a ball on a cloth moves at a time. */
   motion(ball: number, time: number): number {
     const { width, numbers } = this.data;
-    return this.isOnCloth ? (numbers[(this.#row(ball, time) + 1) * width - 1] as number) : -1;
+    return this.isOnCloth ? (numbers[(this.row(ball, time) + 1) * width - 1] as number) : -1;
   }
 
   /** Whether a ball on a cloth is out of play at a time. */
@@ -64,8 +68,8 @@ export class Film {
     return this.motion(ball, time) >= POCKETED;
   }
 
-  /** The flight that a ball is on; at an event's own time the one that begins there. */
-  #row(ball: number, time: number): number {
+  /** The row of the flight that a ball is on; at an event's own time the one that begins there. */
+  row(ball: number, time: number): number {
     const { width, firstRows, numbers } = this.data;
     const [first, after] = [firstRows[ball] as number, firstRows[ball + 1] as number];
     const isAfter = (row: number) => row >= after || (numbers[row * width] as number) > time;
@@ -95,6 +99,7 @@ export class Film {
     into.y[ball] = n(x + 1) + (n(v + 1) + n(a + 1) * half) * s;
     into.vx[ball] = n(v) + n(a) * s;
     into.vy[ball] = n(v + 1) + n(a + 1) * s;
+    if (this.isStepped) this.#waits(ball, row, into);
     if (w < 0) return;
     into.z[ball] = n(x + 2) + (n(v + 2) + n(a + 2) * half) * s;
     into.vz[ball] = n(v + 2) + n(a + 2) * s;
@@ -103,6 +108,15 @@ export class Film {
     const wz = n(w + 2) + n(w + 5) * s;
     // The spin about the vertical ends when it is zero.
     into.wz[ball] = wz * n(w + 2) <= 0 ? 0 : wz;
+  }
+
+  /** Gives a ball that waits for the end of its step the velocity that it will go on with. */
+  #waits(ball: number, row: number, into: Moment) {
+    if (into.vx[ball] !== 0 || into.vy[ball] !== 0 || row + 1 >= (this.data.firstRows[ball + 1] as number))
+      return;
+    const next = (row + 1) * this.data.width;
+    into.vx[ball] = this.data.numbers[next + DISC.v] as number;
+    into.vy[ball] = this.data.numbers[next + DISC.v + 1] as number;
   }
 }
 

@@ -6,6 +6,7 @@ import { closeLesson, lesson } from "../lessons/state";
 import { panels } from "../panels";
 import { Plate } from "../table/Plate";
 import { Table } from "../table/Table";
+import { TableBar } from "../table/TableBar";
 import { LANGUAGES, type Language, language, number, speak, word } from "../words";
 import { described } from "./describe";
 import { isEmbedded } from "./embed";
@@ -151,6 +152,7 @@ function Stage() {
       <Plate>
         <Table />
       </Plate>
+      <TableBar />
       <Messages />
       <Transport />
     </div>

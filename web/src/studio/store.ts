@@ -160,8 +160,9 @@ async function put(open: Open, isNew: boolean) {
 
 /** Computes a run and keeps it; parts of long ones are shown while they go on. */
 export async function compute(slot: Slot, json: string, until?: string): Promise<Shown | null> {
+  const isStepped = (JSON.parse(json) as { method?: { kind?: string } }).method?.kind === "stepped";
   const show = (data: RunData, isWhole: boolean): Shown => {
-    const shown = { ...data, film: new Film(data.film), isWhole };
+    const shown = { ...data, film: new Film(data.film, isStepped), isWhole };
     runs.value = { ...runs.peek(), [slot]: shown };
     return shown;
   };

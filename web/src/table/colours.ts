@@ -14,6 +14,8 @@ export interface Palette {
   edge: string;
   arrow: string;
   contact: string;
+  bounce: string;
+  spin: string;
 }
 
 export const LIGHT: Palette = {
@@ -28,6 +30,8 @@ export const LIGHT: Palette = {
   edge: "#1d2327",
   arrow: "#22292f",
   contact: "#b3261e",
+  bounce: "#1d5fa8",
+  spin: "#a3219c",
 };
 
 export const DARK: Palette = {
@@ -42,6 +46,8 @@ export const DARK: Palette = {
   edge: "#0c0f11",
   arrow: "#e6ecef",
   contact: "#ff8a7f",
+  bounce: "#86bdf5",
+  spin: "#f49bf0",
 };
 
 /** Colours that can be told apart with the common forms of colour blindness; as in `python/carom/colours.py`. */

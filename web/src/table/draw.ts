@@ -98,15 +98,17 @@ function disc(pen: Pen, view: View, x: number, y: number, pixels: number) {
 /** The pixels of a ball's radius; a point is drawn too. */
 export const pixelsOf = (radius: number, view: View) => Math.max(radius * view.scale, 2.5);
 
+/** Draws balls; some of many are drawn as those are, where it is said that there are so many. */
 export function drawBalls(
   pen: Pen,
   bodies: Body[],
   { x, y }: Pick<Moment, "x" | "y">,
   view: View,
   palette: Palette,
+  count = bodies.length,
 ) {
   pen.save();
-  if (bodies.length >= MANY) drawMany(pen, bodies, x, y, view);
+  if (count >= MANY) drawMany(pen, bodies, x, y, view);
   else {
     pen.lineWidth = 1;
     pen.strokeStyle = palette.edge;

@@ -1,15 +1,31 @@
 /** What of the balls is drawn beside themselves. */
 
 import { computed, signal } from "@preact/signals";
-import { drawing } from "../studio/store";
+import type { Film } from "../engine/film";
+import { drawing, run } from "../studio/store";
 
-export const options = signal({ trails: true, arrows: true, contacts: true, spin: true });
+export const options = signal({ trails: true, arrows: true, contacts: true, spin: true, ids: true });
 
-/** Arrows are as long as the way of so much time: the fastest ball of the start gets a fifth of the table. */
+/** Arrows are as long as the way of so much time: the fastest ball gets this share of the table. */
+export const LONGEST_ARROW = 0.2;
+
+/** The time whose way arrows show: by the fastest ball of the start, or of the run where none moves at the start. */
 export const arrowSeconds = computed(() => {
   const drawn = drawing.value;
   if (!drawn) return 0;
   const speeds = drawn.balls.map(({ velocity }) => Math.hypot(...velocity));
-  const fastest = speeds.reduce((most, speed) => Math.max(most, speed), 0);
-  return fastest > 0 ? (0.2 * drawn.table.size) / fastest : 0.1;
+  const atStart = speeds.reduce((most, speed) => Math.max(most, speed), 0);
+  const film = run.value?.film;
+  const fastest = atStart > 0 || !film ? atStart : fastestOf(film);
+  return fastest > 0 ? (LONGEST_ARROW * drawn.table.size) / fastest : 0.1;
 });
+
+function fastestOf({ data: { numbers, width }, isOnCloth }: Film): number {
+  const v = isOnCloth ? 4 : 3;
+  let most = 0;
+  for (let row = 0; row < numbers.length; row += width) {
+    const speed = Math.hypot(numbers[row + v] as number, numbers[row + v + 1] as number);
+    if (speed > most) most = speed;
+  }
+  return most;
+}

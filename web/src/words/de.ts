@@ -41,10 +41,71 @@ export const de: Words = {
   // (end of: Setting up: tables, laws, balls, dragging)
 
   // Graphs
-  // (end of: Graphs)
+  graphs: "Diagramme",
+  graphHint: "ein Klick oder Ziehen im Diagramm führt zu dieser Zeit, ebenso die Zeitleiste",
+  graphsWait: "Die Diagramme erscheinen, sobald der Lauf berechnet ist.",
+  onlyTotals: "Bei mehr als {most} Kugeln zeigen die Diagramme nur Summen.",
+  energy: "Energie",
+  kinetic: "kinetisch",
+  potential: "potenziell",
+  totalOf: "gesamt",
+  momentum: "Impuls",
+  momentumX: "Impuls in x-Richtung",
+  momentumY: "Impuls in y-Richtung",
+  momentumVectors: "Impulspfeile",
+  momentumSum: "gesamt ({x}; {y}), Betrag {size}",
+  speedOfBalls: "Geschwindigkeitsbetrag",
+  distance: "Zurückgelegter Weg",
+  valuesNow: "Werte jetzt",
+  valuesAt: "Werte zur Zeit {time}",
+  ball: "Kugel",
+  speedShort: "|v|",
+  momentumShort: "|p|",
+  kineticShort: "kin. Energie",
+  onlySomeRows: "Eine Zeile haben die ersten {most} Kugeln und die auf dem Tisch gewählte.",
 
   // Events
-  // (end of: Events)
+  events: "Ereignisse",
+  event: "Ereignis",
+  eventIndex: "Nr.",
+  timeShort: "Zeit",
+  closingSpeed: "Stoßtempo",
+  impulse: "Kraftstoß",
+  kind: "Art",
+  allKinds: "alle",
+  allBalls: "alle",
+  noEvents: "In diesem Lauf geschieht nichts.",
+  eventsShown: "{shown} von {all}",
+  kind_ball_ball: "Kugeln stoßen zusammen",
+  kind_ball_cushion: "Trifft die Bande",
+  kind_hold: "Legt sich an die Bande",
+  kind_release: "Löst sich von der Bande",
+  kind_cue_ball: "Der Queue stößt",
+  kind_miscue: "Der Queue rutscht ab",
+  kind_slide_to_roll: "Beginnt zu rollen",
+  kind_slide_to_spin: "Ausgeglitten, dreht sich noch",
+  kind_slide_to_rest: "Gleitet aus",
+  kind_roll_to_spin: "Ausgerollt, dreht sich noch",
+  kind_roll_to_rest: "Rollt aus",
+  kind_spin_to_rest: "Dreht sich aus",
+  kind_ball_cloth: "Setzt auf dem Tuch auf",
+  kind_ball_pocket: "Fällt in eine Tasche",
+  kind_off_table: "Springt vom Tisch",
+  stripHint: "Abspielen oder ein Ereignis wählen, um es vorher, währenddessen und nachher zu sehen.",
+  stripLabel: "Das Ereignis vorher, währenddessen und nachher",
+  eventAt: "Ereignis {index}: {kind}, Zeit {time}",
+  before: "Vorher",
+  during: "Beim Stoß",
+  atEvent: "Im Augenblick",
+  after: "Nachher",
+  partsBefore: "Anteile vorher",
+  partsAfter: "Anteile nachher",
+  partsHint:
+    "n ist die Normale des Stoßes, t die Tangente; der rote und der blaue Pfeil sind die Anteile der Geschwindigkeit in diesen Richtungen.",
+  normalPart: "Geschwindigkeit entlang n",
+  tangentPart: "Geschwindigkeit entlang t",
+  changeOf: "Änderung",
+  together: "zusammen",
 
   // Files, links, downloads
   // (end of: Files, links, downloads)
@@ -273,7 +334,21 @@ export const de: Words = {
   butterflyTakeaway3: "Nur sechs Banden später. Tausend ist etwa drei hoch sechs.",
 
   // What the table shows
-  // (end of: What the table shows)
+  shown: "Auf dem Tisch gezeigt",
+  showArrows: "Geschwindigkeiten",
+  showTrails: "Bahnen",
+  showContacts: "Stöße",
+  showSpin: "Drall",
+  showIds: "Namen",
+  key: "Legende",
+  keyArrow: "Die Geschwindigkeit: je länger, desto schneller",
+  keyContact: "Hier trafen sich Kugeln; die jüngsten Zeichen sind am deutlichsten",
+  keyBounce: "Hier traf eine Kugel die Bande",
+  keyRoll:
+    "Wohin der Drall die Kugel treibt: entlang der Geschwindigkeit, wenn sie rollt, weiter bei Nachlauf, zurück bei Rücklauf",
+  keyTurn: "Seitendrall: wie sie sich von oben gesehen dreht",
+  keyLanding: "Hier setzte eine Kugel auf dem Tuch auf",
+  outOfPlay: "Aus dem Spiel:",
 
   // The run
   run: "Lauf",

@@ -38,10 +38,71 @@ export const en = {
   // (end of: Setting up: tables, laws, balls, dragging)
 
   // Graphs
-  // (end of: Graphs)
+  graphs: "Graphs",
+  graphHint: "a click or a drag in the graph goes to that time; so does the time line",
+  graphsWait: "The graphs come when the run is computed.",
+  onlyTotals: "With more than {most} balls the graphs show sums only.",
+  energy: "Energy",
+  kinetic: "kinetic",
+  potential: "potential",
+  totalOf: "total",
+  momentum: "Momentum",
+  momentumX: "Momentum along x",
+  momentumY: "Momentum along y",
+  momentumVectors: "Momentum arrows",
+  momentumSum: "total ({x}, {y}), size {size}",
+  speedOfBalls: "Speed",
+  distance: "Distance travelled",
+  valuesNow: "Values now",
+  valuesAt: "Values at time {time}",
+  ball: "Ball",
+  speedShort: "speed",
+  momentumShort: "momentum",
+  kineticShort: "kin. energy",
+  onlySomeRows: "The first {most} balls have a row, and the one that is chosen on the table.",
 
   // Events
-  // (end of: Events)
+  events: "Events",
+  event: "Event",
+  eventIndex: "No.",
+  timeShort: "Time",
+  closingSpeed: "Closing speed",
+  impulse: "Impulse",
+  kind: "Kind",
+  allKinds: "all",
+  allBalls: "all",
+  noEvents: "Nothing happens in this run.",
+  eventsShown: "{shown} of {all}",
+  kind_ball_ball: "Balls collide",
+  kind_ball_cushion: "Meets a cushion",
+  kind_hold: "Comes to lie on a cushion",
+  kind_release: "Leaves the cushion",
+  kind_cue_ball: "The cue strikes",
+  kind_miscue: "The cue slips off",
+  kind_slide_to_roll: "Begins to roll",
+  kind_slide_to_spin: "Slid out, spins on",
+  kind_slide_to_rest: "Slides to rest",
+  kind_roll_to_spin: "Rolled out, spins on",
+  kind_roll_to_rest: "Rolls to rest",
+  kind_spin_to_rest: "Spins to rest",
+  kind_ball_cloth: "Lands on the cloth",
+  kind_ball_pocket: "Drops into a pocket",
+  kind_off_table: "Leaves the table",
+  stripHint: "Play, or choose an event, to see it before, during and after.",
+  stripLabel: "The event before, during and after",
+  eventAt: "Event {index}: {kind} at time {time}",
+  before: "Before",
+  during: "At contact",
+  atEvent: "At the event",
+  after: "After",
+  partsBefore: "Parts before",
+  partsAfter: "Parts after",
+  partsHint:
+    "n is the normal of the contact, t the tangent; the red and the blue arrow are the parts of the velocity along them.",
+  normalPart: "velocity along n",
+  tangentPart: "velocity along t",
+  changeOf: "Change",
+  together: "together",
 
   // Files, links, downloads
   // (end of: Files, links, downloads)
@@ -264,7 +325,21 @@ export const en = {
   butterflyTakeaway3: "Only six hits more. A thousand is about three to the power of six.",
 
   // What the table shows
-  // (end of: What the table shows)
+  shown: "Shown on the table",
+  showArrows: "Velocities",
+  showTrails: "Paths",
+  showContacts: "Contacts",
+  showSpin: "Spin",
+  showIds: "Names",
+  key: "Key",
+  keyArrow: "The velocity: longer is faster",
+  keyContact: "Balls met here; the latest marks are the clearest",
+  keyBounce: "A ball met a cushion here",
+  keyRoll:
+    "Where the spin drives the ball: along the velocity when it rolls, further with top spin, backwards with back spin",
+  keyTurn: "Side spin: how it turns, seen from above",
+  keyLanding: "A ball landed on the cloth here",
+  outOfPlay: "Out of play:",
 
   // The run
   run: "Run",

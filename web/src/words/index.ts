@@ -38,9 +38,17 @@ export function word(key: Word, values: Record<string, string | number> = {}): s
   );
 }
 
+const formats = new Map<string, Intl.NumberFormat>();
+
 /** A number as people read it, with so many significant digits; very small and very large ones with a power of ten. */
 export function number(value: number, digits = 4): string {
   const size = Math.abs(value);
   const notation = size !== 0 && (size < 1e-4 || size >= 1e9) ? "scientific" : "standard";
-  return new Intl.NumberFormat(language.value, { maximumSignificantDigits: digits, notation }).format(value);
+  const key = language.value + notation + digits;
+  let format = formats.get(key);
+  if (!format) {
+    format = new Intl.NumberFormat(language.value, { maximumSignificantDigits: digits, notation });
+    formats.set(key, format);
+  }
+  return format.format(value);
 }

@@ -1,34 +1,32 @@
 /** The other run on the table: rings where its balls are, their ways dashed, and the place where the runs part. */
 
-import { run, time } from "../../studio/store";
+import { drawing, run, time } from "../../studio/store";
+import { visible } from "../../table/contrast";
 import { pixelsOf } from "../../table/draw";
 import type { Layer } from "../../table/layers";
-import { trail } from "../../table/trails";
+import { clipToTable, onTable, periods } from "../../table/periodic";
+import { drawWay } from "../../table/trails";
 import { compared, other } from "./state";
 
 /** So many flights of each ball have a trail. */
 const TRAIL_FLIGHTS = 2000;
 
-export const otherRun: Layer = (pen, { view, bodies }) => {
-  const shown = other.value;
-  if (!shown || shown.film.ballCount !== bodies.length) return;
+export const otherRun: Layer = (pen, scene) => {
+  const [shown, drawn, open] = [other.value, drawing.value, periods.value];
+  const { view, bodies, palette } = scene;
+  if (!shown || !drawn || shown.film.ballCount !== bodies.length) return;
   const at = Math.min(time.value, shown.summary.endTime);
   const moment = shown.film.at(at);
   pen.save();
+  if (open.x || open.y) clipToTable(pen, drawn.table, view);
   pen.setLineDash([5, 4]);
   bodies.forEach(({ radius, colour }, ball) => {
-    const points = trail(shown.film, ball, at, Math.ceil(TRAIL_FLIGHTS / bodies.length));
-    pen.beginPath();
-    for (let k = 0; k + 1 < points.length; k += 2) {
-      pen.lineTo(view.x(points[k] as number), view.y(points[k + 1] as number));
-    }
-    pen.strokeStyle = colour;
-    pen.lineWidth = 1.25;
-    pen.stroke();
+    drawWay(pen, scene, shown.film, ball, at, Math.ceil(TRAIL_FLIGHTS / bodies.length));
     if (Number.isNaN(moment.x[ball])) return;
     pen.beginPath();
-    const centre = [view.x(moment.x[ball] as number), view.y(moment.y[ball] as number)] as const;
-    pen.arc(...centre, pixelsOf(radius, view), 0, 2 * Math.PI);
+    const [x, y] = onTable(moment.x[ball] as number, moment.y[ball] as number, open);
+    pen.strokeStyle = visible(colour, palette.cloth, palette.ink);
+    pen.arc(view.x(x), view.y(y), pixelsOf(radius, view), 0, 2 * Math.PI);
     pen.lineWidth = 2.5;
     pen.stroke();
   });
@@ -41,7 +39,9 @@ export const partingPlace: Layer = (pen, { view, palette }) => {
   const film = run.value?.film;
   if (!parting || !film || time.value < parting.time) return;
   const moment = film.at(parting.time);
-  const [x, y] = [view.x(moment.x[parting.ball] as number), view.y(moment.y[parting.ball] as number)];
+  const place = [moment.x[parting.ball] as number, moment.y[parting.ball] as number] as const;
+  const [tableX, tableY] = onTable(...place, periods.value);
+  const [x, y] = [view.x(tableX), view.y(tableY)];
   pen.save();
   pen.strokeStyle = palette.contact;
   pen.lineWidth = 2.5;
