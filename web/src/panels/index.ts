@@ -3,6 +3,7 @@
 import type { ComponentType } from "preact";
 import type { Word } from "../words/en";
 import { Compare } from "./compare/Compare";
+import { Events } from "./events/Events";
 import { Graphs } from "./graphs/Graphs";
 import { RunPanel } from "./RunPanel";
 
@@ -16,6 +17,7 @@ export interface Panel {
 
 export const panels: Panel[] = [
   { id: "graphs", label: "graphs", component: Graphs },
+  { id: "events", label: "events", component: Events },
   { id: "compare", label: "compare", component: Compare },
   { id: "run", label: "run", component: RunPanel },
 ];
