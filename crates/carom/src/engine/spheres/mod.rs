@@ -121,6 +121,15 @@ impl<S: Scalar> Engine<S> for Spheres<S> {
         self.begin(observer);
     }
 
+    fn restart(
+        &mut self,
+        change: impl FnOnce(&mut ClothSystem<S>),
+        observer: &mut impl Observer<S, OnCloth>,
+    ) {
+        change(Arc::make_mut(&mut self.system));
+        self.reset(observer);
+    }
+
     fn step(&mut self, limit: S, observer: &mut impl Observer<S, OnCloth>) -> Option<S> {
         loop {
             let (ball, Pending { time, offset, target }) = self.queue.first();
