@@ -82,6 +82,17 @@ impl<'a> Runner<'a> {
                 Ok(status)
             });
         }
+        self.run_made(numbers, out, interrupted)
+    }
+
+    /// Makes a scenario and runs that.
+    #[inline(never)]
+    fn run_made(
+        &mut self,
+        numbers: &[f64],
+        out: &mut [f64],
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<Option<Status>, RowError> {
         let scenario = self.template.with(numbers)?;
         if !self.layout.observed.is_empty() {
             return self.observe(&scenario, out, interrupted);

@@ -179,6 +179,7 @@ impl Of {
     }
 
     /// The number in a scenario; `None` where it is not given.
+    #[inline(always)]
     fn number<'a>(&self, scenario: &'a mut Scenario) -> Option<&'a mut f64> {
         let physics = &mut scenario.physics;
         match self {
