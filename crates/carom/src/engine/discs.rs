@@ -17,7 +17,7 @@ use crate::memory::room_for;
 use crate::model::Disc;
 use crate::run::{Diagnostics, Event, Kind, Observer, Plane, Run, Track};
 use crate::scalar::Scalar;
-use crate::scenario::{BallStart, System};
+use crate::scenario::System;
 use std::sync::Arc;
 
 /// Changes of course of one ball within the collapse time after which a run is given up: a power of two.
@@ -75,6 +75,13 @@ impl<S: Scalar> Engine<S> for Discs<S> {
 
     fn reset(&mut self, observer: &mut impl Observer<S>) {
         self.put_at_start();
+        self.begin(observer);
+    }
+
+    fn restart(&mut self, change: impl FnOnce(&mut System<S>), observer: &mut impl Observer<S>) {
+        change(Arc::make_mut(&mut self.system));
+        self.put_at_start();
+        self.energy_at_start = self.energy_at(S::ZERO);
         self.begin(observer);
     }
 
@@ -225,18 +232,6 @@ impl<S: Scalar> Discs<S> {
         }
         discs.put(balls, time);
         discs
-    }
-
-    /// Back to time zero, where balls start with other velocities; see [`System::set_velocities`].
-    pub(super) fn restart(
-        &mut self,
-        starts: impl Iterator<Item = (usize, BallStart<S>)>,
-        observer: &mut impl Observer<S>,
-    ) {
-        Arc::make_mut(&mut self.system).set_velocities(starts);
-        self.put_at_start();
-        self.energy_at_start = self.energy_at(S::ZERO);
-        self.begin(observer);
     }
 
     fn put_at_start(&mut self) {

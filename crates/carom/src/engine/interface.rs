@@ -35,6 +35,14 @@ pub trait Engine<S: Scalar>: Clone {
     /// Back to time zero, without giving up any memory.
     fn reset(&mut self, observer: &mut impl Observer<S, Self::Dynamics>);
 
+    /// Back to time zero in a system in which `change` has changed velocities, the stroke or laws of collision, without giving
+    /// up any memory.
+    fn restart(
+        &mut self,
+        change: impl FnOnce(&mut <Self::Dynamics as Dynamics<S>>::System),
+        observer: &mut impl Observer<S, Self::Dynamics>,
+    );
+
     /// Makes the earliest event happen, if it comes no later than `limit`; gives its time.
     fn step(&mut self, limit: S, observer: &mut impl Observer<S, Self::Dynamics>) -> Option<S>;
 

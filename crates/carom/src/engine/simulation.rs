@@ -4,7 +4,7 @@ use super::discs::Discs;
 use super::interface::{Engine, Fault};
 use crate::run::{Diagnostics, Dynamics, Kind, Log, Observer, Run, SimulationError, Status};
 use crate::scalar::Scalar;
-use crate::scenario::{BallStart, LARGEST};
+use crate::scenario::LARGEST;
 use std::sync::Arc;
 
 /// The time after which nothing happens, even in a run without a duration: later, what is left of the speeds of balls that
@@ -70,19 +70,6 @@ impl<S: Scalar> Limits<S> {
     }
 }
 
-impl<S: Scalar> Simulation<S> {
-    /// Back to time zero, where balls, by their places, start with other velocities: the run is then that of a new system, but
-    /// no memory is asked for.
-    pub fn restart(
-        &mut self,
-        starts: impl Iterator<Item = (usize, BallStart<S>)>,
-        observer: &mut impl Observer<S>,
-    ) {
-        self.engine.restart(starts, observer);
-        (self.time, self.status, self.seen) = (S::ZERO, None, 0);
-    }
-}
-
 type SystemOf<S, E> = <<E as Engine<S>>::Dynamics as Dynamics<S>>::System;
 type FlightOf<S, E> = <<E as Engine<S>>::Dynamics as Dynamics<S>>::Flight;
 type TrackOf<S, E> = <<E as Engine<S>>::Dynamics as Dynamics<S>>::Track;
@@ -103,6 +90,17 @@ impl<S: Scalar, E: Engine<S>> Simulation<S, E> {
     /// Back to time zero, without giving up any memory.
     pub fn reset(&mut self, observer: &mut impl Observer<S, E::Dynamics>) {
         self.engine.reset(observer);
+        (self.time, self.status, self.seen) = (S::ZERO, None, 0);
+    }
+
+    /// Back to time zero in a system in which `change` has changed velocities, the stroke or laws of collision: the run is then
+    /// that of a new system, but no memory is asked for.
+    pub fn restart(
+        &mut self,
+        change: impl FnOnce(&mut SystemOf<S, E>),
+        observer: &mut impl Observer<S, E::Dynamics>,
+    ) {
+        self.engine.restart(change, observer);
         (self.time, self.status, self.seen) = (S::ZERO, None, 0);
     }
 

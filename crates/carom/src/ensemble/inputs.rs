@@ -92,14 +92,14 @@ impl Inputs {
     }
 
     /// Puts down the numbers of a row, in the order of the paths.
-    #[inline]
+    #[inline(always)]
     pub fn fill(&self, row: u64, out: &mut [f64]) {
         for (out, numbers) in out.iter_mut().zip(&self.numbers) {
             *out = self.number(numbers, row);
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn number(&self, numbers: &Numbers, row: u64) -> f64 {
         match numbers {
             Numbers::Given(given) => given[row as usize],

@@ -5,7 +5,7 @@ use super::outcome::{Column, Layout, Outcome};
 use super::runner::{RowError, Runner};
 use crate::run::{Dynamics, OnCloth, Status};
 use crate::scenario::schema::{Method, Record};
-use crate::scenario::{Scenario, ScenarioError, Template, Velocities};
+use crate::scenario::{Places, Scenario, ScenarioError, Template};
 use crate::simulate::Sampling;
 use core::ops::Range;
 use core::time::Duration;
@@ -27,7 +27,8 @@ pub struct Ensemble {
     template: Template,
     /// The scenario that is varied; the columns are those of its balls, whatever the rows are.
     base: Scenario,
-    velocities: Option<Velocities>,
+    /// The places of the numbers, where runs can start again as they stand.
+    places: Option<Places>,
     layout: Layout,
     sampling: Sampling,
 }
@@ -89,9 +90,9 @@ impl Ensemble {
         let cushions =
             if scenario.has_cloth() { <OnCloth as Dynamics<f64>>::system(scenario).place_of(0) } else { 0 };
         let layout = Layout::new(scenario, outcomes, cushions)?;
-        let velocities = if layout.observed.is_empty() { template.velocities() } else { None };
+        let places = if layout.observed.is_empty() { template.places() } else { None };
         let (base, sampling) = (scenario.clone(), Sampling::default());
-        Ok(Self { inputs, template, base, velocities, layout, sampling })
+        Ok(Self { inputs, template, base, places, layout, sampling })
     }
 
     /// The same, with gases observed at other times.
@@ -162,7 +163,7 @@ impl Ensemble {
                 &self.template,
                 &self.layout,
                 &self.base,
-                self.velocities.as_ref(),
+                self.places.as_ref(),
                 self.sampling,
             ),
             inputs: vec![0.0; self.inputs.paths().len()],

@@ -1,13 +1,14 @@
 //! One thread's share of an ensemble: a run after the other, in memory that is used again.
 
 use super::outcome::{Kept, Layout};
-use crate::engine::Simulation;
+use crate::engine::{Engine, Simulation};
 use crate::observe::Observables;
-use crate::run::{Dynamics, OnCloth, Plane, SimulationError, Status};
-use crate::scenario::{Scenario, ScenarioError, Template, Velocities};
+use crate::run::{OnCloth, Plane, SimulationError, Status};
+use crate::scenario::{Places, Scenario, ScenarioError, Template};
 use crate::simulate::{
-    ObservedError, SLICE, Sampling, Simulated, SimulationOf, limits_of, simulate_observed,
+    Any, ObservedError, SLICE, Sampling, Simulated, SimulationOf, limits_of, simulate_observed,
 };
+use crate::with_any;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -33,24 +34,30 @@ pub(super) struct Runner<'a> {
     kept: Kept,
     /// The balls in the order of the columns. A rack has its own for each seed.
     ball_ids: Vec<String>,
-    /// A run that starts again and again, where only velocities of discs are varied.
-    again: Option<(Velocities, Simulation<f64>)>,
+    /// A run that starts again and again, where it can.
+    again: Option<(Places, Again)>,
 }
+
+type Again = Any<Box<SimulationOf<Plane>>, Box<SimulationOf<OnCloth>>>;
 
 impl<'a> Runner<'a> {
     pub(super) fn new(
         template: &'a Template,
         layout: &'a Layout,
         base: &Scenario,
-        velocities: Option<&Velocities>,
+        places: Option<&Places>,
         sampling: Sampling,
     ) -> Self {
         let ball_ids: Vec<String> = base.expanded().balls.iter().map(|ball| ball.id.clone()).collect();
         let mut kept = layout.kept();
         kept.clear(ball_ids.len(), &layout.pairs);
-        let again = velocities.map(|velocities| {
-            let system = Arc::new(<Plane as Dynamics<f64>>::system(base));
-            (velocities.clone(), Simulation::new(system, limits_of(base, None), &mut kept))
+        let again = places.map(|places| {
+            let simulation = if base.has_cloth() {
+                Any::OnCloth(Box::new(begin::<OnCloth>(base, &mut kept)))
+            } else {
+                Any::Plane(Box::new(begin::<Plane>(base, &mut kept)))
+            };
+            (places.clone(), simulation)
         });
         Self { sampling, template, layout, kept, ball_ids, again }
     }
@@ -63,16 +70,29 @@ impl<'a> Runner<'a> {
         interrupted: &dyn Fn() -> bool,
     ) -> Result<Option<Status>, RowError> {
         self.kept.clear(self.ball_ids.len(), &self.layout.pairs);
-        if let Some((velocities, simulation)) = &mut self.again
-            && velocities.set(numbers)
+        if let Some((places, simulation)) = &mut self.again
+            && places.set(numbers)
         {
-            simulation.restart(velocities.starts(), &mut self.kept);
-            let status = go_on::<Plane>(simulation, &mut self.kept, interrupted)?;
-            if status.is_some() {
-                self.layout.fill(out, simulation.time(), simulation.diagnostics(), &self.kept);
-            }
-            return Ok(status);
+            return with_any!(simulation, simulation => {
+                simulation.restart(|system| system.put(places), &mut self.kept);
+                let status = go_on(simulation, &mut self.kept, interrupted)?;
+                if status.is_some() {
+                    self.layout.fill(out, simulation.time(), simulation.diagnostics(), &self.kept);
+                }
+                Ok(status)
+            });
         }
+        self.run_made(numbers, out, interrupted)
+    }
+
+    /// Makes a scenario and runs that.
+    #[inline(never)]
+    fn run_made(
+        &mut self,
+        numbers: &[f64],
+        out: &mut [f64],
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<Option<Status>, RowError> {
         let scenario = self.template.with(numbers)?;
         if !self.layout.observed.is_empty() {
             return self.observe(&scenario, out, interrupted);
@@ -133,7 +153,7 @@ impl<'a> Runner<'a> {
         self.kept.clear(own.len(), &self.pairs_among(own));
         let mut simulation: SimulationOf<D> =
             Simulation::new(system, limits_of(scenario, None), &mut self.kept);
-        let status = go_on::<D>(&mut simulation, &mut self.kept, interrupted)?;
+        let status = go_on(&mut simulation, &mut self.kept, interrupted)?;
         if status.is_some() {
             self.kept.reorder(D::ball_ids(simulation.system()), &self.ball_ids);
             self.layout.fill(out, simulation.time(), simulation.diagnostics(), &self.kept);
@@ -153,9 +173,14 @@ impl Runner<'_> {
     }
 }
 
+/// A run at time zero.
+fn begin<D: Simulated>(scenario: &Scenario, kept: &mut Kept) -> SimulationOf<D> {
+    Simulation::new(Arc::new(D::system(scenario)), limits_of(scenario, None), kept)
+}
+
 /// Goes on to the end and keeps the states there; `None` where the run was broken off.
-fn go_on<D: Simulated>(
-    simulation: &mut SimulationOf<D>,
+fn go_on<E: Engine<f64>>(
+    simulation: &mut Simulation<f64, E>,
     kept: &mut Kept,
     interrupted: &dyn Fn() -> bool,
 ) -> Result<Option<Status>, SimulationError> {
@@ -164,6 +189,6 @@ fn go_on<D: Simulated>(
             return Ok(None);
         }
     }
-    kept.keep_end::<D>(simulation.time(), simulation.states());
+    kept.keep_end::<E::Dynamics>(simulation.time(), simulation.states());
     Ok(simulation.status())
 }

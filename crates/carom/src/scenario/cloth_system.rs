@@ -1,6 +1,7 @@
 //! A checked scenario of balls on a cloth made ready to compute.
 
 use super::layout::Number;
+use super::places::Places;
 use super::schema::{self, Cluster, Scenario};
 use super::shot::{CueStart, ShotStart};
 use super::start::BallStart;
@@ -112,7 +113,8 @@ impl<S: Scalar> ClothSystem<S> {
         let holes = table.pockets.iter().map(|pocket| Hole::new(pocket.center, pocket.radius)).collect();
         let faces = faces(&table);
         let stroke = stroke(scenario, number);
-        let fastest = fastest(&starts, stroke.as_ref());
+        let starts: Vec<_> = starts.iter().map(|start| (start.position, start.twist())).collect();
+        let fastest = fastest(&spheres, &starts, stroke.as_ref());
         let times: Vec<_> = spheres.iter().map(|sphere| own_time(sphere, &cloth, fastest)).collect();
         Self {
             stroke,
@@ -133,10 +135,38 @@ impl<S: Scalar> ClothSystem<S> {
             boxes: faces.iter().map(Face::bounds).collect(),
             by_length: by_length(&faces),
             faces,
-            starts: starts.iter().map(|start| (start.position, start.twist())).collect(),
+            starts,
             spheres,
             holes,
             cloth,
+        }
+    }
+}
+
+impl<S: Scalar> ClothSystem<S> {
+    /// Puts in the numbers that stand in some places: the system is then that of the scenario which says so.
+    pub fn put(&mut self, places: &Places) {
+        if let Some(stroke) = places.stroke() {
+            self.stroke = Some(stroke);
+            self.set_times();
+        }
+        if let Some(laws) = places.laws() {
+            self.ball_ball = ball_ball_law(laws.ball_ball(), &mut |_, value| S::from_f64(value));
+            let law = |law| cushion_law("", law, &mut |_, value| S::from_f64(value));
+            self.cushion_laws.iter_mut().zip(laws.of_faces()).for_each(|(old, new)| *old = law(new));
+        }
+    }
+
+    /// With gravity no ball's time depends on how fast any is.
+    fn set_times(&mut self) {
+        if self.cloth.gravity > S::ZERO {
+            return;
+        }
+        let fastest = fastest(&self.spheres, &self.starts, self.stroke.as_ref());
+        for (ball, sphere) in self.spheres.iter().enumerate() {
+            let time = own_time(sphere, &self.cloth, fastest);
+            self.hop_times[ball] = time * S::from_f64(HOP_TIME);
+            self.collapse_times[ball] = time * S::from_f64(COLLAPSE_TIME);
         }
     }
 }
@@ -168,11 +198,18 @@ fn kept_speed<S: Scalar>(sphere: &Sphere<S>, cloth: &Cloth<S>) -> S {
 }
 
 /// A speed that none of the balls much exceeds, their spins counted in.
-fn fastest<S: Scalar>(starts: &[BallStart<S>], stroke: Option<&Stroke<S>>) -> S {
-    let speed = |start: &BallStart<S>| (start.velocity.norm() + start.spin.norm() * start.radius).detached();
+fn fastest<S: Scalar>(
+    spheres: &[Sphere<S>],
+    starts: &[(Vec3<S>, Twist<S>)],
+    stroke: Option<&Stroke<S>>,
+) -> S {
+    let speed = |(sphere, (_, twist)): (&Sphere<S>, &(Vec3<S>, Twist<S>))| {
+        (twist.velocity.norm() + twist.spin.norm() * sphere.radius).detached()
+    };
     let struck = stroke.map(|stroke| stroke.strike.speed.detached());
-    starts
+    spheres
         .iter()
+        .zip(starts)
         .map(speed)
         .chain(struck)
         .fold(S::ZERO, |most, speed| if speed > most { speed } else { most })
@@ -195,7 +232,7 @@ fn cloth<S: Scalar>(flight: &schema::Flight, number: Number<'_, S>) -> Cloth<S> 
     }
 }
 
-fn stroke<S: Scalar>(scenario: &Scenario, number: Number<'_, S>) -> Option<Stroke<S>> {
+pub(super) fn stroke<S: Scalar>(scenario: &Scenario, number: Number<'_, S>) -> Option<Stroke<S>> {
     let ShotStart { ball, speed, direction, elevation, left, top } = scenario.shot_start(number)?;
     let CueStart { mass, end_mass, restitution, miscue_offset, .. } = scenario.cue.start(number);
     Some(Stroke {

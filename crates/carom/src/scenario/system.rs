@@ -2,6 +2,7 @@
 
 use super::layout::Number;
 use super::path::Key;
+use super::places::Places;
 use super::schema::{self, Cluster, Collapse, Scenario};
 use super::start::BallStart;
 use crate::flight::Flight;
@@ -104,7 +105,7 @@ impl<S: Scalar> System<S> {
             collapse_times: collapse_times(&discs, &flights, field, table.size()).collect(),
             collapse_is_elastic: scenario.physics.collapse() == Collapse::Tc,
             has_backs: backs.iter().any(Option::is_some),
-            is_lossless: ball_ball.is_lossless() && cushion_laws.iter().all(ball_cushion::Law::is_lossless),
+            is_lossless: is_lossless(&ball_ball, &cushion_laws),
             ball_ball,
             cluster: scenario.physics.cluster(),
             grid_from: GRID_FROM,
@@ -123,14 +124,30 @@ impl<S: Scalar> System<S> {
         }
     }
 
-    /// Lets some balls, by their places, start with other velocities: the system is then that of the scenario which says so.
-    pub fn set_velocities(&mut self, starts: impl Iterator<Item = (usize, BallStart<S>)>) {
+    /// Puts in the numbers that stand in some places: the system is then that of the scenario which says so.
+    pub fn put(&mut self, places: &Places) {
+        if places.has_velocities() {
+            self.set_velocities(places.starts());
+        }
+        if let Some(laws) = places.laws() {
+            self.ball_ball = ball_ball_law(laws.ball_ball(), &mut |_, value| S::from_f64(value));
+            let law = |law| cushion_law("", law, &mut |_, value| S::from_f64(value));
+            self.cushion_laws.iter_mut().zip(laws.of_faces()).for_each(|(old, new)| *old = law(new));
+            self.is_lossless = is_lossless(&self.ball_ball, &self.cushion_laws);
+        }
+    }
+
+    fn set_velocities(&mut self, starts: impl Iterator<Item = (usize, BallStart<S>)>) {
         for (ball, start) in starts {
             self.flights[ball] = flight(&start, self.field);
         }
         let times = collapse_times(&self.discs, &self.flights, self.field, self.tolerance.table_size());
         self.collapse_times.iter_mut().zip(times).for_each(|(old, new)| *old = new);
     }
+}
+
+fn is_lossless<S: Scalar>(ball_ball: &ball_ball::Law<S>, cushion_laws: &[ball_cushion::Law<S>]) -> bool {
+    ball_ball.is_lossless() && cushion_laws.iter().all(ball_cushion::Law::is_lossless)
 }
 
 fn flight<S: Scalar>(start: &BallStart<S>, field: Vec2<S>) -> Flight<S> {

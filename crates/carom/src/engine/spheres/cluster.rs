@@ -3,10 +3,11 @@
 use super::Spheres;
 use super::contact::{Present, by_place, contact_event, threshold};
 use super::ending::Cause;
+use crate::flight::SphereFlight;
 use crate::geometry::Vec3;
 use crate::law::ball_ball::SphereLaw;
 use crate::law::cluster::{
-    Body, Passes, Touch, effective_radius, resolve_hertz, resolve_pairwise, resolve_reflections,
+    Body, Collision, Passes, Touch, effective_radius, resolve_pairwise, resolve_reflections,
 };
 use crate::model::Twist;
 use crate::run::{Event, Observer, OnCloth};
@@ -19,8 +20,43 @@ const HAIR: f64 = 1e4;
 /// The part of v_c up to which balls that touch are pressed together rather than struck.
 const CREEP: f64 = 0.01;
 
-type Bodies<S> = Vec<Body<S, Vec3<S>>>;
-type Touches<S> = Vec<Touch<S, Vec3<S>, SphereLaw<S>>>;
+type Contact<S> = Touch<S, Vec3<S>, SphereLaw<S>>;
+
+/// A cluster while it is resolved; what it needs is kept for the next, which then asks for no memory.
+#[derive(Clone, Debug)]
+pub(super) struct Gathering<S> {
+    /// The balls, in order of place.
+    members: Vec<Present<S>>,
+    /// Their contacts, in order of place.
+    touches: Vec<Contact<S>>,
+    bodies: Vec<Body<S, Vec3<S>>>,
+    collision: Collision<S, Vec3<S>>,
+    /// How the balls move: after all, before any friction, and how much friction changes that.
+    twists: Vec<Twist<S>>,
+    pushed: Vec<Twist<S>>,
+    changes: Vec<Twist<S>>,
+    /// Of the balls whose motion changed how they moved before, and the flights that they begin.
+    before: Vec<Twist<S>>,
+    flights: Vec<(usize, SphereFlight<S>)>,
+    events: Vec<Event<S>>,
+}
+
+impl<S: Scalar> Default for Gathering<S> {
+    fn default() -> Self {
+        Self {
+            members: Vec::new(),
+            touches: Vec::new(),
+            bodies: Vec::new(),
+            collision: Collision::default(),
+            twists: Vec::new(),
+            pushed: Vec::new(),
+            changes: Vec::new(),
+            before: Vec::new(),
+            flights: Vec::new(),
+            events: Vec::new(),
+        }
+    }
+}
 
 impl<S: Scalar> Spheres<S> {
     /// Resolves everything in touch with a struck pair, if that is more than the pair itself and closes; says whether.
@@ -30,32 +66,42 @@ impl<S: Scalar> Spheres<S> {
         time: S,
         observer: &mut impl Observer<S, OnCloth>,
     ) -> bool {
-        let members = self.gather(pair, time);
-        if members.len() == 2 {
+        let mut gathering = core::mem::take(&mut self.gathering);
+        self.gather(pair, time, &mut gathering.members);
+        let is_struck = gathering.members.len() > 2 && self.strike_gathered(&mut gathering, time, observer);
+        self.gathering = gathering;
+        is_struck
+    }
+
+    /// Resolves the contacts of the balls that are gathered, if any closes; says whether.
+    fn strike_gathered(
+        &mut self,
+        gathering: &mut Gathering<S>,
+        time: S,
+        observer: &mut impl Observer<S, OnCloth>,
+    ) -> bool {
+        self.find_touches(gathering, time);
+        let Gathering { members, touches, bodies, twists, .. } = &mut *gathering;
+        if !touches.iter().any(|touch| self.is_closing(members, touch)) {
             return false;
         }
-        let mut bodies: Bodies<S> =
-            members.iter().map(|m| Body::new(m.twist.velocity, m.sphere.inverse_mass)).collect();
-        let mut touches = self.touches(&members, time);
-        if !touches.iter().any(|touch| self.is_closing(&members, touch)) {
-            return false;
+        replace(bodies, members.iter().map(|m| Body::new(m.twist.velocity, m.sphere.inverse_mass)));
+        replace(twists, members.iter().map(|m| m.twist));
+        self.resolve_normal(gathering);
+        if self.rub(gathering) {
+            self.resolve_normal(gathering);
         }
-        self.resolve_normal(&mut bodies, &mut touches);
-        let mut twists: Vec<Twist<S>> = members.iter().map(|m| m.twist).collect();
-        if self.rub(&members, &touches, &mut bodies, &mut twists) {
-            self.resolve_normal(&mut bodies, &mut touches);
-        }
-        for (twist, body) in twists.iter_mut().zip(&mut bodies) {
+        for (twist, body) in gathering.twists.iter_mut().zip(&mut gathering.bodies) {
             body.drop_round_off();
             twist.velocity = body.velocity;
         }
-        self.end_cluster(&members, &touches, &twists, time, observer);
+        self.end_cluster(gathering, time, observer);
         true
     }
 
     /// The balls that touch each other or the struck ones, in order of place.
-    fn gather(&self, pair: &[Present<S>; 2], time: S) -> Vec<Present<S>> {
-        let mut members = pair.to_vec();
+    fn gather(&self, pair: &[Present<S>; 2], time: S, members: &mut Vec<Present<S>>) {
+        replace(members, pair.iter().copied());
         let mut next = 0;
         while next < members.len() {
             for ball in 0..self.balls.len() {
@@ -70,8 +116,8 @@ impl<S: Scalar> Spheres<S> {
             }
             next += 1;
         }
-        members.sort_by(|a, b| by_place(a.position, b.position));
-        members
+        // No two are at one place.
+        members.sort_unstable_by(|a, b| by_place(a.position, b.position));
     }
 
     fn is_in_touch(&self, a: &Present<S>, b: &Present<S>) -> bool {
@@ -81,8 +127,8 @@ impl<S: Scalar> Spheres<S> {
     }
 
     /// The contacts of the members, in order of place.
-    fn touches(&self, members: &[Present<S>], time: S) -> Touches<S> {
-        let mut touches = Vec::new();
+    fn find_touches(&self, Gathering { members, touches, .. }: &mut Gathering<S>, time: S) {
+        touches.clear();
         for (first, a) in members.iter().enumerate() {
             for (second, b) in members.iter().enumerate().skip(first + 1) {
                 if self.is_in_touch(a, b) {
@@ -96,12 +142,11 @@ impl<S: Scalar> Spheres<S> {
                 }
             }
         }
-        touches
     }
 
     /// Whether the balls of a contact move into each other, and are not only pressed together: such pairs are let hop one
     /// by one.
-    fn is_closing(&self, members: &[Present<S>], touch: &Touch<S, Vec3<S>, SphereLaw<S>>) -> bool {
+    fn is_closing(&self, members: &[Present<S>], touch: &Contact<S>) -> bool {
         let pair = [members[touch.a], members[touch.b.unwrap_or(touch.a)]];
         let speed = (pair[0].twist.velocity - pair[1].twist.velocity).dot(touch.normal);
         let [a, b] = pair.map(|present| self.system.kept_speeds[present.ball]);
@@ -109,13 +154,9 @@ impl<S: Scalar> Spheres<S> {
         speed > threshold(&pair) + creep * S::from_f64(CREEP)
     }
 
-    fn resolve_normal(
-        &mut self,
-        bodies: &mut [Body<S, Vec3<S>>],
-        touches: &mut [Touch<S, Vec3<S>, SphereLaw<S>>],
-    ) {
+    fn resolve_normal(&mut self, Gathering { bodies, touches, collision, .. }: &mut Gathering<S>) {
         let Passes { count, forced } = match self.system.cluster {
-            Cluster::Hertz => resolve_hertz(bodies, touches),
+            Cluster::Hertz => collision.resolve(bodies, touches),
             Cluster::Reflections => resolve_reflections(bodies, touches),
             Cluster::Pairwise => resolve_pairwise(bodies, touches),
         };
@@ -125,37 +166,32 @@ impl<S: Scalar> Spheres<S> {
 
     /// Adds the friction of each contact, from its own normal impulse and against the slip in the middle of the blow; all
     /// of it at once, so that no order matters, and no more than takes energy. Says whether there was any.
-    fn rub(
-        &self,
-        members: &[Present<S>],
-        touches: &Touches<S>,
-        bodies: &mut Bodies<S>,
-        twists: &mut [Twist<S>],
-    ) -> bool {
-        let pushed: Vec<Twist<S>> =
-            twists.iter().zip(bodies.iter()).map(|(t, b)| Twist { velocity: b.velocity, ..*t }).collect();
-        let mut rubbed = pushed.clone();
+    fn rub(&self, gathering: &mut Gathering<S>) -> bool {
+        let Gathering { members, touches, bodies, twists, pushed, changes, .. } = gathering;
+        let pushes = twists.iter().zip(bodies.iter()).map(|(t, b)| Twist { velocity: b.velocity, ..*t });
+        replace(pushed, pushes);
+        replace(changes, pushed.iter().copied());
         let mut work = S::ZERO;
-        for touch in touches {
+        for touch in touches.iter() {
             let (a, b) = (touch.a, touch.b.unwrap_or(touch.a));
             let slip = |twists: &[Twist<S>]| {
                 slip([&members[a], &members[b]], touch.normal, [&twists[a], &twists[b]])
             };
-            let after = slip(&pushed);
+            let after = slip(pushed);
             let middle = (slip(twists) + after) * S::from_f64(0.5);
             let push = self.friction(members, touch, middle);
             work += push.dot(after);
-            rubbed[a] = rubbed[a].after_impulse(&members[a].sphere, touch.normal, push);
-            rubbed[b] = rubbed[b].after_impulse(&members[b].sphere, -touch.normal, -push);
+            changes[a] = changes[a].after_impulse(&members[a].sphere, touch.normal, push);
+            changes[b] = changes[b].after_impulse(&members[b].sphere, -touch.normal, -push);
         }
         if work >= S::ZERO {
             return false;
         }
         // The energy is E + w s + c s² in the part s of the friction: more than the least of it would be too much.
-        let changes: Vec<Twist<S>> = rubbed.iter().zip(&pushed).map(|(a, b)| a.minus(b)).collect();
+        changes.iter_mut().zip(pushed.iter()).for_each(|(change, pushed)| *change = change.minus(pushed));
         let square = members
             .iter()
-            .zip(&changes)
+            .zip(changes.iter())
             .fold(S::ZERO, |sum, (m, change)| sum + m.sphere.kinetic_energy(change));
         let least = -work / (S::from_f64(2.0) * square);
         let part = if least < S::ONE { least } else { S::ONE };
@@ -167,12 +203,7 @@ impl<S: Scalar> Spheres<S> {
     }
 
     /// The friction on the first ball of a contact.
-    fn friction(
-        &self,
-        members: &[Present<S>],
-        touch: &Touch<S, Vec3<S>, SphereLaw<S>>,
-        slip: Vec3<S>,
-    ) -> Vec3<S> {
+    fn friction(&self, members: &[Present<S>], touch: &Contact<S>, slip: Vec3<S>) -> Vec3<S> {
         let speed = slip.norm();
         if speed <= S::ZERO || touch.impulse <= S::ZERO {
             return Vec3::ZERO;
@@ -186,35 +217,38 @@ impl<S: Scalar> Spheres<S> {
 
     fn end_cluster(
         &mut self,
-        members: &[Present<S>],
-        touches: &Touches<S>,
-        twists: &[Twist<S>],
+        gathering: &mut Gathering<S>,
         time: S,
         observer: &mut impl Observer<S, OnCloth>,
     ) {
         self.diagnostics.clusters += 1;
-        let moved: Vec<usize> = (0..members.len()).filter(|&k| twists[k] != members[k].twist).collect();
-        let flight = |&k: &usize| {
-            let Present { ball, position, twist, .. } = &members[k];
-            (*ball, self.flight_after(*ball, time, *position, twist, twists[k], Cause::Blow))
+        let Gathering { members, touches, twists, before, flights, events, .. } = gathering;
+        let moved = || members.iter().zip(twists.iter()).filter(|(member, twist)| **twist != member.twist);
+        let flight = |(Present { ball, position, twist, .. }, after): (&Present<S>, &Twist<S>)| {
+            (*ball, self.flight_after(*ball, time, *position, twist, *after, Cause::Blow))
         };
-        let flights: Vec<_> = moved.iter().map(flight).collect();
-        let before: Vec<_> = moved.iter().map(|&k| members[k].twist).collect();
-        self.account_for_contact(&before, &flights);
+        replace(flights, moved().map(flight));
+        replace(before, moved().map(|(member, _)| member.twist));
+        self.account_for_contact(before, flights);
         flights.iter().for_each(|(ball, _)| self.note_contact(*ball, time));
-        self.begin_flights(&flights, observer);
+        self.begin_flights(flights, observer);
         let cluster = Some(self.diagnostics.clusters as u32);
-        let row = |touch: &Touch<S, Vec3<S>, SphereLaw<S>>| {
+        let row = |touch: &Contact<S>| {
             let pair = [&members[touch.a], &members[touch.b.unwrap_or(touch.a)]];
             Event { cluster, ..contact_event(pair, touch.normal, time, touch.closing_speed, touch.impulse) }
         };
-        let mut events: Vec<Event<S>> =
-            touches.iter().filter(|touch| touch.impulse > S::ZERO).map(row).collect();
-        events.sort_by_key(|event| (event.ball_a, event.ball_b));
-        for event in &events {
+        replace(events, touches.iter().filter(|touch| touch.impulse > S::ZERO).map(row));
+        events.sort_unstable_by_key(|event| (event.ball_a, event.ball_b));
+        for event in events.iter() {
             self.emit(event, observer);
         }
     }
+}
+
+/// Puts other things in a list.
+fn replace<T>(list: &mut Vec<T>, things: impl Iterator<Item = T>) {
+    list.clear();
+    list.extend(things);
 }
 
 /// The slip of the first ball's surface on the second's.

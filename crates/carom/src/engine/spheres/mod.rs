@@ -21,6 +21,7 @@ use crate::model::Sphere;
 use crate::run::{Diagnostics, Event, Observer, OnCloth, Run, SphereTrack};
 use crate::scalar::Scalar;
 use crate::scenario::ClothSystem;
+use cluster::Gathering;
 use std::sync::Arc;
 
 /// The energy is summed at 2^k events, but not below sixteen: so short a run is summed at its end.
@@ -78,6 +79,7 @@ pub struct Spheres<S> {
     /// All events so far.
     events: u64,
     fault: Option<Fault>,
+    gathering: Gathering<S>,
 }
 
 impl<S: Scalar> Engine<S> for Spheres<S> {
@@ -92,6 +94,7 @@ impl<S: Scalar> Engine<S> for Spheres<S> {
             diagnostics: Diagnostics::default(),
             events: 0,
             fault: None,
+            gathering: Gathering::default(),
             system,
         };
         spheres.begin(observer);
@@ -107,6 +110,7 @@ impl<S: Scalar> Engine<S> for Spheres<S> {
             diagnostics: run.diagnostics.clone(),
             events: run.diagnostics.total_events(),
             fault: None,
+            gathering: Gathering::default(),
             system,
         };
         spheres.predict_all();
@@ -119,6 +123,15 @@ impl<S: Scalar> Engine<S> for Spheres<S> {
             *ball = Self::placed(&self.system, sphere, start);
         }
         self.begin(observer);
+    }
+
+    fn restart(
+        &mut self,
+        change: impl FnOnce(&mut ClothSystem<S>),
+        observer: &mut impl Observer<S, OnCloth>,
+    ) {
+        change(Arc::make_mut(&mut self.system));
+        self.reset(observer);
     }
 
     fn step(&mut self, limit: S, observer: &mut impl Observer<S, OnCloth>) -> Option<S> {

@@ -69,32 +69,14 @@ pub fn resolve_hertz<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
     bodies: &mut [Body<S, V>],
     touches: &mut [Touch<S, V, L>],
 ) -> Passes {
-    let limit = PASSES_PER_BALL * bodies.len();
-    for count in 0..limit {
-        let Some(mut collision) = Collision::new(bodies, touches) else {
-            return Passes { count: count as u32, forced: false };
-        };
-        let has_ended = collision.run(touches);
-        let factor = collision.correction();
-        for (spring, touch) in collision.springs.iter().zip(&mut *touches) {
-            if spring.impulse > S::ZERO {
-                touch.apply(spring.impulse * factor, bodies);
-            }
-        }
-        if !has_ended {
-            force_open(bodies, touches);
-            return Passes { count: count as u32 + 1, forced: true };
-        }
-    }
-    let forced = !closing_touches(touches, bodies).is_empty();
-    if forced {
-        force_open(bodies, touches);
-    }
-    Passes { count: (limit + usize::from(forced)) as u32, forced }
+    Collision::default().resolve(bodies, touches)
 }
 
 /// All contacts from the first closing until none closes any more.
-struct Collision<S, V> {
+///
+/// It may be used again, and then asks for no memory.
+#[derive(Clone, Debug)]
+pub struct Collision<S, V> {
     springs: Vec<Spring<S, V>>,
     /// Velocity of each body, and one over its mass.
     bodies: Vec<(V, S)>,
@@ -104,19 +86,57 @@ struct Collision<S, V> {
     lost: S,
 }
 
+impl<S: Scalar, V> Default for Collision<S, V> {
+    fn default() -> Self {
+        Self { springs: Vec::new(), bodies: Vec::new(), speed: S::ZERO, lost: S::ZERO }
+    }
+}
+
 impl<S: Scalar, V: Vector<S>> Collision<S, V> {
-    /// The collision that begins with the bodies' velocities; `None` if no contact closes.
-    fn new<L: TouchLaw<S>>(bodies: &[Body<S, V>], touches: &mut [Touch<S, V, L>]) -> Option<Self> {
+    /// Does what [`resolve_hertz`] does.
+    pub fn resolve<L: TouchLaw<S>>(
+        &mut self,
+        bodies: &mut [Body<S, V>],
+        touches: &mut [Touch<S, V, L>],
+    ) -> Passes {
+        let limit = PASSES_PER_BALL * bodies.len();
+        for count in 0..limit {
+            if !self.begin(bodies, touches) {
+                return Passes { count: count as u32, forced: false };
+            }
+            let has_ended = self.run(touches);
+            let factor = self.correction();
+            for (spring, touch) in self.springs.iter().zip(&mut *touches) {
+                if spring.impulse > S::ZERO {
+                    touch.apply(spring.impulse * factor, bodies);
+                }
+            }
+            if !has_ended {
+                force_open(bodies, touches);
+                return Passes { count: count as u32 + 1, forced: true };
+            }
+        }
+        let forced = closing_touches(touches, bodies).next().is_some();
+        if forced {
+            force_open(bodies, touches);
+        }
+        Passes { count: (limit + usize::from(forced)) as u32, forced }
+    }
+
+    /// Begins with the bodies' velocities; says whether any contact closes.
+    fn begin<L: TouchLaw<S>>(&mut self, bodies: &[Body<S, V>], touches: &mut [Touch<S, V, L>]) -> bool {
         let mut speed = S::ZERO;
-        for k in closing_touches(touches, bodies) {
-            let closing = -touches[k].gap_rate(bodies);
-            touches[k].note_closing(closing);
+        for touch in touches.iter_mut().filter(|touch| touch.is_closing(bodies)) {
+            let closing = -touch.gap_rate(bodies);
+            touch.note_closing(closing);
             speed = larger(speed, closing);
         }
         if speed == S::ZERO {
-            return None;
+            return false;
         }
-        let mut springs: Vec<_> = touches.iter().map(|touch| Spring::new(touch, bodies)).collect();
+        let springs = &mut self.springs;
+        springs.clear();
+        springs.extend(touches.iter().map(|touch| Spring::new(touch, bodies)));
         // A point would have no stiffness at all.
         let largest = springs.iter().fold(S::ZERO, |most, spring| larger(most, spring.stiffness));
         for spring in springs.iter_mut().filter(|spring| spring.stiffness == S::ZERO) {
@@ -125,8 +145,10 @@ impl<S: Scalar, V: Vector<S>> Collision<S, V> {
         let hardest = springs.iter().fold(S::ZERO, |most, spring| larger(most, spring.hardness()));
         let unit = hardest * speed.sqrt();
         springs.iter_mut().for_each(|spring| spring.stiffness = spring.stiffness / unit);
-        let bodies = bodies.iter().map(|body| (body.velocity, body.inverse_mass)).collect();
-        Some(Self { springs, bodies, speed, lost: S::ZERO })
+        self.bodies.clear();
+        self.bodies.extend(bodies.iter().map(|body| (body.velocity, body.inverse_mass)));
+        (self.speed, self.lost) = (speed, S::ZERO);
+        true
     }
 
     /// Takes steps until all contacts are open and stay so; says whether they came to that.

@@ -9,7 +9,7 @@ pub mod pairwise;
 pub mod reflections;
 mod spring;
 
-pub use hertz::resolve_hertz;
+pub use hertz::{Collision, resolve_hertz};
 pub use pairwise::resolve_pairwise;
 pub use reflections::resolve_reflections;
 
@@ -194,6 +194,6 @@ impl<S: Scalar, V: Vector<S>, L: TouchLaw<S>> Touch<S, V, L> {
 fn closing_touches<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
     touches: &[Touch<S, V, L>],
     bodies: &[Body<S, V>],
-) -> Vec<usize> {
-    (0..touches.len()).filter(|&k| touches[k].is_closing(bodies)).collect()
+) -> impl Iterator<Item = usize> {
+    (0..touches.len()).filter(|&k| touches[k].is_closing(bodies))
 }

@@ -41,6 +41,5 @@ fn strongest<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
     bodies: &[Body<S, V>],
 ) -> Option<usize> {
     closing_touches(touches, bodies)
-        .into_iter()
         .reduce(|best, k| if touches[k].gap_rate(bodies) < touches[best].gap_rate(bodies) { k } else { best })
 }

@@ -34,13 +34,13 @@ pub fn resolve_reflections<S: Scalar, V: Vector<S>, L: TouchLaw<S>>(
 ) -> Passes {
     let limit = PASSES_PER_BALL * bodies.len();
     for count in 0..limit {
-        let closing = closing_touches(touches, bodies);
+        let closing: Vec<usize> = closing_touches(touches, bodies).collect();
         if closing.is_empty() {
             return Passes { count: count as u32, forced: false };
         }
         reflect(bodies, touches, &closing);
     }
-    if closing_touches(touches, bodies).is_empty() {
+    if closing_touches(touches, bodies).next().is_none() {
         return Passes { count: limit as u32, forced: false };
     }
     force_open(bodies, touches);

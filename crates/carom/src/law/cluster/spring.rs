@@ -7,6 +7,7 @@ use crate::scalar::Scalar;
 /// A contact as a spring.
 ///
 /// The law makes it, and says in which units.
+#[derive(Clone, Debug)]
 pub(super) struct Spring<S, V> {
     a: usize,
     b: Option<usize>,

@@ -165,6 +165,25 @@ impl BallBall {
         }
     }
 
+    /// The law's own number under a key; those of a friction that depends on the slip are left out.
+    pub(crate) fn coefficient(&mut self, key: &str) -> Option<&mut f64> {
+        match (key, self) {
+            (
+                "normal",
+                Self::Restitution { normal }
+                | Self::Frictional { normal, .. }
+                | Self::Mathavan2014 { normal, .. },
+            ) => Some(normal),
+            (
+                "friction",
+                Self::Frictional { friction: SlipFriction::Constant(value), .. }
+                | Self::Mathavan2014 { friction: SlipFriction::Constant(value), .. },
+            ) => Some(value),
+            ("cling", Self::Frictional { cling, .. }) => Some(cling),
+            _ => None,
+        }
+    }
+
     /// The word of a law whose balls have spin, and so need a cloth.
     pub(crate) fn needs_cloth(&self) -> Option<&'static str> {
         match self {
@@ -291,6 +310,31 @@ impl BallCushion {
                 let ratio = ("frequency_ratio", *frequency_ratio);
                 normal.numbers().into_iter().chain(friction.numbers()).chain([ratio]).collect()
             }
+        }
+    }
+
+    /// The law's own number under a key; those of a restitution or a friction that depends on something are left out.
+    pub(crate) fn coefficient(&mut self, key: &str) -> Option<&mut f64> {
+        match (key, self) {
+            ("normal", Self::Restitution { normal, .. }) => Some(normal),
+            ("tangential", Self::Restitution { tangential, .. }) => Some(tangential),
+            ("factor", Self::Damping { factor }) => Some(factor),
+            (
+                "normal",
+                Self::Frictional { normal: Rebound::Constant(value), .. }
+                | Self::Han2005 { normal: Rebound::Constant(value), .. }
+                | Self::Mathavan2010 { normal: Rebound::Constant(value), .. }
+                | Self::StrongeCompliant { normal: Rebound::Constant(value), .. },
+            ) => Some(value),
+            (
+                "friction",
+                Self::Frictional { friction: CushionFriction::Constant(value), .. }
+                | Self::Han2005 { friction: CushionFriction::Constant(value), .. }
+                | Self::Mathavan2010 { friction: CushionFriction::Constant(value), .. }
+                | Self::StrongeCompliant { friction: CushionFriction::Constant(value), .. },
+            ) => Some(value),
+            ("frequency_ratio", Self::StrongeCompliant { frequency_ratio, .. }) => Some(frequency_ratio),
+            _ => None,
         }
     }
 

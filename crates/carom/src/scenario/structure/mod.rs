@@ -25,19 +25,32 @@ pub(crate) fn check_structure(value: &Value, findings: &mut Findings) -> Value {
 
 /// The keys that the schema knows at the place that `steps` lead to inside `value`.
 pub(crate) fn known_keys(value: &Value, steps: &[Step]) -> Vec<&'static str> {
+    schema_at(value, steps).map_or_else(Vec::new, keys_of)
+}
+
+/// The least and the largest number that the schema allows at the place that `steps` lead to inside `value`; `None` where
+/// there is no number, or one that must be larger than the least.
+pub(crate) fn bounds(value: &Value, steps: &[Step]) -> Option<[f64; 2]> {
+    let schema = schema_at(value, steps)
+        .filter(|schema| has_type(schema, "number") && schema.get("exclusiveMinimum").is_none())?;
+    let bound = |key, otherwise| schema.get(key).and_then(Value::as_f64).unwrap_or(otherwise);
+    Some([bound("minimum", f64::NEG_INFINITY), bound("maximum", f64::INFINITY)])
+}
+
+/// The schema of the place that `steps` lead to inside `value`.
+fn schema_at(value: &Value, steps: &[Step]) -> Option<&'static Value> {
     let mut schema = resolve(json_schema());
     let mut value = value;
     for step in steps {
-        let Ok(chosen) = narrow(value, schema) else { return Vec::new() };
-        let Some((step, inner)) = step_into(value, step) else { return Vec::new() };
+        let chosen = narrow(value, schema).ok()?;
+        let (step, inner) = step_into(value, step)?;
         let next = match step {
             Step::Key(key) => property(chosen, &key),
             Step::Index(_) => chosen.get("items"),
-        };
-        let Some(next) = next else { return Vec::new() };
+        }?;
         (schema, value) = (resolve(next), inner);
     }
-    narrow(value, schema).map_or_else(|_| Vec::new(), keys_of)
+    narrow(value, schema).ok()
 }
 
 fn check_value(value: &Value, schema: &Value, place: &Place<'_>, findings: &mut Findings) -> Value {
