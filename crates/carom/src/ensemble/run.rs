@@ -14,8 +14,11 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError, mpsc};
 use thiserror::Error;
 
-/// Rows that a thread takes at once.
+/// Rows that a thread takes at once, at most.
 const ROWS_AT_ONCE: usize = 128;
+
+/// Where there are few rows, each thread takes so many times.
+const TURNS: usize = 8;
 
 /// Time between two looks at whether to break off.
 const PAUSE: Duration = Duration::from_millis(20);
@@ -169,16 +172,17 @@ impl Ensemble {
             inputs: vec![0.0; self.inputs.paths().len()],
             outcomes: vec![0.0; self.layout.columns.len()],
         };
-        let chunks = table.endings.len().div_ceil(ROWS_AT_ONCE);
+        let at_once = (table.endings.len() / (TURNS * rayon::current_num_threads())).clamp(1, ROWS_AT_ONCE);
+        let chunks = table.endings.len().div_ceil(at_once);
         let mut parts: Vec<Vec<&mut [f64]>> = (0..chunks).map(|_| Vec::new()).collect();
         for column in &mut table.columns {
-            let part = column.chunks_mut(ROWS_AT_ONCE);
+            let part = column.chunks_mut(at_once);
             parts.iter_mut().zip(part).for_each(|(parts, part)| parts.push(part));
         }
-        table.endings.par_chunks_mut(ROWS_AT_ONCE).zip(&mut parts).enumerate().for_each_init(
+        table.endings.par_chunks_mut(at_once).zip(&mut parts).enumerate().for_each_init(
             begin,
             |share, (chunk, (endings, columns))| {
-                let first = first + (chunk * ROWS_AT_ONCE) as u64;
+                let first = first + (chunk * at_once) as u64;
                 for (place, ending) in endings.iter_mut().enumerate() {
                     if shared.is_over() {
                         return;
