@@ -2,6 +2,8 @@
 
 import { effect } from "@preact/signals";
 import { render } from "preact";
+import { followAddress } from "./sharing/address";
+import { receive } from "./sharing/receive";
 import { App, headline } from "./studio/App";
 import { isEmbedded, openFramed } from "./studio/embed";
 import { begin } from "./studio/store";
@@ -20,3 +22,7 @@ const root = document.getElementById("studio");
 if (root) render(<App />, root);
 void begin();
 if (isEmbedded) void openFramed();
+else {
+  followAddress();
+  receive();
+}

@@ -4,7 +4,7 @@ import type { Problem, Question, Questions, Reply, RunData } from "./protocol";
 import { spawn } from "./spawn";
 
 /** After so many milliseconds without a sign of life the worker is ended and started anew. */
-export const PATIENCE = 1800;
+export const PATIENCE = 1500;
 
 /** While the engine is loaded for the first time it may take longer. */
 const PATIENCE_AT_FIRST = 20_000;
@@ -20,6 +20,13 @@ export class Problems extends Error {
 export class EngineLost extends Error {
   constructor(readonly reason: "stuck" | "broken") {
     super(reason);
+  }
+}
+
+/** The scenario has more balls than the page shows. */
+export class TooManyBalls extends Error {
+  constructor(readonly count: number) {
+    super();
   }
 }
 
@@ -40,6 +47,8 @@ export interface Watch {
 
 /** An engine in a worker of its own. */
 export class Engine {
+  /** Called when the engine was lost and started anew. */
+  onLost: (reason: EngineLost["reason"]) => void = () => {};
   #worker!: Worker;
   #pending = new Map<number, Pending>();
   #next = 1;
@@ -74,16 +83,22 @@ export class Engine {
 
   #hear(reply: Reply) {
     this.#isAwake = true;
+    if (!("isReady" in reply)) this.#answer(reply);
+    this.#watch();
+  }
+
+  #answer(reply: Exclude<Reply, { isReady: true }>) {
     const pending = this.#pending.get(reply.id);
-    if (!pending) return;
-    if ("part" in reply) pending.onPart?.(reply.part);
+    if (!pending || "isAlive" in reply) return;
+    if ("isBroken" in reply) this.#restart("broken");
+    else if ("part" in reply) pending.onPart?.(reply.part);
     else if ("time" in reply) pending.onProgress?.(reply.time, reply.events);
     else {
       this.#pending.delete(reply.id);
       if ("answer" in reply) pending.resolve(reply.answer as never);
+      else if ("tooManyBalls" in reply) pending.reject(new TooManyBalls(reply.tooManyBalls));
       else pending.reject(reply.problems.length > 0 ? new Problems(reply.problems) : new Cancelled());
     }
-    this.#watch();
   }
 
   #watch() {
@@ -100,5 +115,6 @@ export class Engine {
     this.#pending.clear();
     this.#start();
     for (const { reject } of lost) reject(new EngineLost(reason));
+    this.onLost(reason);
   }
 }

@@ -92,7 +92,12 @@ export interface RunData {
   events: EventColumns;
   /** Whether the run was broken off where the page keeps no more. */
   isCut: boolean;
+  /** Why it was broken off, if it was. */
+  cutBy: CutBy | null;
 }
+
+/** Why a run was broken off: it has too many events, takes too much memory or time, or the user wanted no more. */
+export type CutBy = "events" | "memory" | "time" | "user";
 
 /** The words and numbers that the page and the engine have in common. */
 export interface Vocabulary {
@@ -118,6 +123,8 @@ export interface Questions {
   toml: { asked: { json: string }; answer: string };
   run: { asked: { slot: Slot; json: string; until?: string; mostEvents: number }; answer: RunData };
   cancel: { asked: { slot: Slot }; answer: null };
+  /** Ends a run where it is; what there is of it is its answer. */
+  stop: { asked: { slot: Slot }; answer: null };
   totals: { asked: { slot: Slot; times: Float64Array }; answer: Float64Array };
   runJson: { asked: { slot: Slot }; answer: string };
 }
@@ -131,7 +138,14 @@ export type Request = {
 export type Reply =
   | { id: number; answer: unknown }
   | { id: number; problems: Problem[] }
+  /** So many balls are more than the page shows. */
+  | { id: number; tooManyBalls: number }
+  /** The engine broke down, as for want of memory. */
+  | { id: number; isBroken: true }
+  /** The engine is loaded. */
+  | { isReady: true }
   /** What there is of a run that still goes on. */
   | { id: number; part: RunData }
-  /** A sign of life. */
-  | { id: number; time: number; events: number };
+  /** A sign of life, with how far a run has come. */
+  | { id: number; time: number; events: number }
+  | { id: number; isAlive: true };

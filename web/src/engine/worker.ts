@@ -9,7 +9,17 @@ import init, {
   vocabulary,
 } from "../../engine/carom_wasm.js";
 import wasm from "../../engine/carom_wasm_bg.wasm?url";
-import type { EventColumns, FilmData, Problem, Questions, Reply, Request, RunData, Slot } from "./protocol";
+import type {
+  CutBy,
+  EventColumns,
+  FilmData,
+  Problem,
+  Questions,
+  Reply,
+  Request,
+  RunData,
+  Slot,
+} from "./protocol";
 
 /** Milliseconds of computing between two looks at what else was asked. */
 const SLICE = 12;
@@ -20,11 +30,18 @@ const STEPS = 500;
 /** A part of a run is shown after so many milliseconds, and then each time its events have doubled. */
 const FIRST_PART = 60;
 
-/** So many milliseconds a stepped run may take. */
-const LONGEST_STEPPED = 4000;
+/** So many milliseconds a stepped run may take: nothing can be asked meanwhile, so it cannot be taken back either. */
+const LONGEST_STEPPED = 1000;
+
+/** So many bytes of memory a run may take beyond what the engine had. */
+const MOST_MEMORY = 2 ** 28;
+
+/** A page can draw so many balls. */
+const MOST_BALLS = 50_000;
 
 const runs = new Map<Slot, Run>();
 const cancelled = new Set<number>();
+const stopped = new Set<number>();
 const underWay = new Map<Slot, number>();
 
 const answers: { [Q in keyof Questions]: (asked: Questions[Q]["asked"], id: number) => unknown } = {
@@ -42,12 +59,25 @@ const answers: { [Q in keyof Questions]: (asked: Questions[Q]["asked"], id: numb
     if (id !== undefined) cancelled.add(id);
     return null;
   },
+  stop: ({ slot }) => {
+    const id = underWay.get(slot);
+    if (id !== undefined) stopped.add(id);
+    return null;
+  },
   totals: ({ slot, times }) => kept(slot).totals(times),
   runJson: ({ slot }) => kept(slot).to_json(),
 };
 
 function described(scenario: Scenario) {
-  return { json: scenario.to_json(), drawing: JSON.parse(scenario.drawing()) };
+  const drawing = JSON.parse(scenario.drawing());
+  if (drawing.balls.length > MOST_BALLS) throw new TooManyBalls(drawing.balls.length);
+  return { json: scenario.to_json(), drawing };
+}
+
+class TooManyBalls extends Error {
+  constructor(readonly count: number) {
+    super();
+  }
 }
 
 function kept(slot: Slot): Run {
@@ -63,27 +93,33 @@ async function computed(slot: Slot, json: string, until: string | undefined, mos
   underWay.set(slot, id);
   const scenario = Scenario.parse(json, "json");
   const method = (JSON.parse(json) as { method?: { kind?: string } }).method?.kind ?? "exact";
-  const { run, isCut } =
-    method === "exact" ? await inSlices(scenario, until, mostEvents, id) : atOnce(scenario);
-  if (underWay.get(slot) === id) underWay.delete(slot);
+  const { run, cutBy } = await (method === "exact"
+    ? inSlices(scenario, until, mostEvents, id)
+    : atOnce(scenario)
+  ).finally(() => {
+    if (underWay.get(slot) === id) underWay.delete(slot);
+  });
   runs.get(slot)?.free();
   runs.set(slot, run);
-  return dataOf(run, isCut);
+  // To copy a long run takes a while too.
+  send({ id, isAlive: true });
+  return dataOf(run, cutBy);
 }
 
 async function inSlices(scenario: Scenario, until: string | undefined, mostEvents: number, id: number) {
   const computation = new Computation(scenario, until);
-  const began = performance.now();
-  let [nextLook, shown, goesOn, isCut] = [began + SLICE, 0, true, false];
-  while (goesOn && !isCut) {
+  const [began, memory] = [performance.now(), memoryTaken()];
+  let [nextLook, shown, goesOn, cutBy] = [began + SLICE, 0, true, null as CutBy | null];
+  while (goesOn && cutBy === null) {
     goesOn = computation.advance(STEPS);
-    isCut = goesOn && computation.events() >= mostEvents;
+    if (goesOn && computation.events() >= mostEvents) cutBy = "events";
+    else if (goesOn && memoryTaken() - memory > MOST_MEMORY) cutBy = "memory";
     const now = performance.now();
     if (now < nextLook) continue;
     if (goesOn && now - began > FIRST_PART && computation.events() > 2 * shown) {
       shown = computation.events();
       const part = computation.run();
-      send({ id, part: dataOf(part, false) });
+      send({ id, part: dataOf(part, null) });
       part.free();
     } else {
       send({ id, time: computation.time(), events: computation.events() });
@@ -93,30 +129,33 @@ async function inSlices(scenario: Scenario, until: string | undefined, mostEvent
       computation.free();
       throw new Cancelled();
     }
+    if (stopped.delete(id) && goesOn) cutBy = "user";
     nextLook = performance.now() + SLICE;
   }
   cancelled.delete(id);
-  return { run: computation.finish(), isCut };
+  return { run: computation.finish(), cutBy };
 }
 
 class Cancelled extends Error {}
 
-function atOnce(scenario: Scenario) {
-  const end = performance.now() + LONGEST_STEPPED;
-  let isCut = false;
+async function atOnce(scenario: Scenario) {
+  const [end, memory] = [performance.now() + LONGEST_STEPPED, memoryTaken()];
+  let cutBy: CutBy | null = null;
   const run = run_at_once(scenario, () => {
-    isCut ||= performance.now() > end;
-    return isCut;
+    if (performance.now() > end) cutBy = "time";
+    else if (memoryTaken() - memory > MOST_MEMORY) cutBy = "memory";
+    return cutBy !== null;
   });
-  return { run, isCut };
+  return { run, cutBy: cutBy as CutBy | null };
 }
 
-function dataOf(run: Run, isCut: boolean): RunData {
+function dataOf(run: Run, cutBy: CutBy | null): RunData {
   return {
     summary: JSON.parse(run.summary()),
     film: run.film() as unknown as FilmData,
     events: run.events() as unknown as EventColumns,
-    isCut,
+    isCut: cutBy !== null,
+    cutBy,
   };
 }
 
@@ -142,21 +181,31 @@ function send(reply: Reply) {
   self.postMessage(reply, { transfer: [...new Set(arrays)] });
 }
 
-/** The problems that an exception tells of: those of the engine are JSON texts. */
-function problemsOf(error: unknown): Problem[] {
-  if (typeof error === "string") return (JSON.parse(error) as { problems: Problem[] }).problems;
-  throw error;
+/** What an exception is to the page: those of the engine are JSON texts with problems, others mean that it is broken. */
+function replyTo(id: number, error: unknown): Reply {
+  if (error instanceof Cancelled) return { id, problems: [] };
+  if (error instanceof TooManyBalls) return { id, tooManyBalls: error.count };
+  if (typeof error === "string")
+    return { id, problems: (JSON.parse(error) as { problems: Problem[] }).problems };
+  return { id, isBroken: true };
 }
 
 const ready = init({ module_or_path: wasm });
+let memory: WebAssembly.Memory;
+void ready.then((exports) => {
+  memory = exports.memory;
+  send({ isReady: true });
+});
+
+/** Bytes of the engine's memory, which never shrinks. */
+const memoryTaken = () => memory.buffer.byteLength;
 
 self.onmessage = async ({ data: { id, question, asked } }: MessageEvent<Request>) => {
-  await ready;
   try {
+    await ready;
     const answer = await (answers[question] as (asked: unknown, id: number) => unknown)(asked, id);
     send({ id, answer });
   } catch (error) {
-    if (error instanceof Cancelled) send({ id, problems: [] });
-    else send({ id, problems: problemsOf(error) });
+    send(replyTo(id, error));
   }
 };

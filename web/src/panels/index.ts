@@ -5,6 +5,7 @@ import type { Word } from "../words/en";
 import { Compare } from "./compare/Compare";
 import { Events } from "./events/Events";
 import { Graphs } from "./graphs/Graphs";
+import { Files } from "./files/Files";
 import { RunPanel } from "./RunPanel";
 
 export interface Panel {
@@ -20,4 +21,5 @@ export const panels: Panel[] = [
   { id: "events", label: "events", component: Events },
   { id: "compare", label: "compare", component: Compare },
   { id: "run", label: "run", component: RunPanel },
+  { id: "files", label: "files", component: Files },
 ];

@@ -1,13 +1,17 @@
 /** The page: the gallery, or a table with its panels. */
 
 import { signal } from "@preact/signals";
+import type { CutBy } from "../engine/protocol";
 import { Lesson } from "../lessons/Lesson";
 import { closeLesson, lesson } from "../lessons/state";
 import { panels } from "../panels";
+import { DropHint } from "../sharing/DropHint";
+import { LinkVerdict } from "../sharing/Verdict";
 import { Plate } from "../table/Plate";
 import { Table } from "../table/Table";
 import { TableBar } from "../table/TableBar";
 import { LANGUAGES, type Language, language, number, speak, word } from "../words";
+import type { Word } from "../words/en";
 import { described } from "./describe";
 import { isEmbedded } from "./embed";
 import { Gallery } from "./Gallery";
@@ -27,6 +31,7 @@ export function App() {
       <Header />
       {lesson.value ? <Lesson /> : scenario.value ? <Studio /> : <Gallery />}
       <Shortcuts />
+      <DropHint />
     </>
   );
 }
@@ -169,11 +174,19 @@ function turnTabs(event: KeyboardEvent & { currentTarget: HTMLElement }) {
   next?.click();
   next?.focus();
 }
+/** What is said of a run that was broken off. */
+const CUT: Record<CutBy, Word> = {
+  events: "cut",
+  memory: "cutByMemory",
+  time: "cutByTime",
+  user: "cutByUser",
+};
 
 /** What is wrong, and what there is to say. */
 export function Messages() {
-  const cut = run.value?.isCut
-    ? word("cut", { events: number(run.value.events.time.length, 3), time: number(endTime.value) })
+  const by = run.value?.cutBy;
+  const cut = by
+    ? word(CUT[by], { events: number(run.value?.events.time.length ?? 0, 3), time: number(endTime.value) })
     : null;
   return (
     <div class="messages" aria-live="polite">
@@ -205,11 +218,12 @@ export function Messages() {
         </div>
       )}
       {cut && <div class="message">{cut}</div>}
+      <LinkVerdict />
     </div>
   );
 }
 
-function Close({ onClick }: { onClick: () => void }) {
+export function Close({ onClick }: { onClick: () => void }) {
   return (
     <button type="button" class="icon" title={word("close")} aria-label={word("close")} onClick={onClick}>
       <Icon name="close" />

@@ -2,6 +2,7 @@
 
 import { lessons } from "../lessons";
 import { openLesson } from "../lessons/state";
+import { FileButton } from "../panels/files/Bring";
 import { word } from "../words";
 import type { Word } from "../words/en";
 import { Messages } from "./App";
@@ -90,6 +91,9 @@ export function Gallery() {
           </ul>
         </section>
       ))}
+      <p class="bring">
+        <FileButton /> {word("dropHint")}
+      </p>
       <p class="colophon">{word("colophon")}</p>
     </main>
   );

@@ -13,6 +13,7 @@ import {
   run,
   seek,
   speed,
+  stopComputing,
   time,
   toggle,
 } from "./store";
@@ -69,7 +70,10 @@ export function Transport() {
       </label>
       {progress.value && (
         <p class="progress" role="status">
-          {word("computing", { events: number(progress.value.events, 3), time: number(progress.value.time) })}
+          {word("computing", { events: number(progress.value.events, 3), time: number(progress.value.time) })}{" "}
+          <button type="button" class="plain" onClick={stopComputing}>
+            {word("cancel")}
+          </button>
         </p>
       )}
     </section>

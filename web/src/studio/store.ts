@@ -1,10 +1,11 @@
 /** What the page knows, and what can be done with it. Components read signals and call the functions below. */
 
 import { batch, computed, effect, signal } from "@preact/signals";
-import { Cancelled, Engine, EngineLost, Problems } from "../engine/client";
+import { Cancelled, Engine, EngineLost, Problems, TooManyBalls } from "../engine/client";
 import { Film } from "../engine/film";
 import type {
   Checked,
+  CutBy,
   Drawing,
   EventColumns,
   Problem,
@@ -14,7 +15,7 @@ import type {
   Values,
   Vocabulary,
 } from "../engine/protocol";
-import { word } from "../words";
+import { number, word } from "../words";
 import type { Word } from "../words/en";
 import { SCENARIOS } from "./scenarios";
 
@@ -27,13 +28,24 @@ export interface Shown {
   film: Film;
   events: EventColumns;
   isCut: boolean;
+  cutBy: CutBy | null;
   /** Whether the run has ended. */
   isWhole: boolean;
 }
 
-/** A scenario with where it comes from: the name of a ready-made one, or null. */
+/** A scenario with where it comes from: the name of a ready-made one, or null, and what the link said that it is from. */
 export interface Open extends Checked {
   name: string | null;
+  link?: Claim;
+}
+
+/** What a link says of the run where it was made. */
+export interface Claim {
+  /** The link's fragment. */
+  fragment: string;
+  /** The digest of the run; null where there was none. */
+  digest: string | null;
+  physicsVersion: number;
 }
 
 export const engine = new Engine();
@@ -71,6 +83,13 @@ const future = signal<Open[]>([]);
 export const canUndo = computed(() => past.value.length > 0);
 export const canRedo = computed(() => future.value.length > 0);
 
+/** Goes up whenever another scenario is opened, or the open one is closed. */
+export const opened = signal(0);
+
+/** What the page comes back to when the engine is lost: the scenario of the last run that came to its end. */
+const GALLERY = { open: null as Open | null, past: [] as Open[], future: [] as Open[] };
+let good = GALLERY;
+
 /** Opens a ready-made scenario. */
 export const openNamed = (name: string): Promise<boolean> => openText(SCENARIOS[name] ?? "", "toml", name);
 
@@ -79,11 +98,12 @@ export async function openText(
   text: string,
   format: "toml" | "json",
   name: string | null = null,
+  link?: Claim,
 ): Promise<boolean> {
   return settled(async () => {
     const checked = await engine.ask("check", { text, format });
     past.value = future.value = [];
-    await put({ ...checked, name }, true);
+    await put({ ...checked, name, ...(link ? { link } : {}) }, true);
   });
 }
 
@@ -133,12 +153,19 @@ async function swap(from: typeof past, to: typeof past) {
 }
 
 export function closeScenario() {
+  for (const slot of latestRun.keys()) {
+    latestRun.delete(slot);
+    void engine.ask("cancel", { slot }).catch(() => {});
+  }
+  good = GALLERY;
   batch(() => {
     pause();
     scenario.value = null;
     runs.value = {};
+    progress.value = null;
     problems.value = [];
     notice.value = null;
+    opened.value++;
   });
 }
 
@@ -153,15 +180,23 @@ async function put(open: Open, isNew: boolean) {
     if (isNew) {
       chosen.value = null;
       speed.value = 1;
+      opened.value++;
     }
   });
   await compute("main", open.json);
 }
 
+/** The run of each slot that was asked for last: what comes in of an earlier one is too late. */
+const latestRun = new Map<Slot, object>();
+
 /** Computes a run and keeps it; parts of long ones are shown while they go on. */
 export async function compute(slot: Slot, json: string, until?: string): Promise<Shown | null> {
   const isStepped = (JSON.parse(json) as { method?: { kind?: string } }).method?.kind === "stepped";
-  const show = (data: RunData, isWhole: boolean): Shown => {
+  const self = {};
+  latestRun.set(slot, self);
+  const isLatest = () => latestRun.get(slot) === self;
+  const show = (data: RunData, isWhole: boolean): Shown | null => {
+    if (!isLatest()) return null;
     const shown = { ...data, film: new Film(data.film, isStepped), isWhole };
     runs.value = { ...runs.peek(), [slot]: shown };
     return shown;
@@ -171,17 +206,24 @@ export async function compute(slot: Slot, json: string, until?: string): Promise
     const data = await engine.ask("run", asked, {
       onPart: (part) => show(part, false),
       onProgress: (time, events) => {
-        if (slot === "main") progress.value = { time, events };
+        if (slot === "main" && isLatest()) progress.value = { time, events };
       },
     });
-    if (slot === "main") progress.value = null;
-    return show(data, true);
+    const shown = show(data, true);
+    if (slot === "main" && shown) {
+      good = { open: scenario.peek(), past: past.peek(), future: future.peek() };
+    }
+    return shown;
   } catch (error) {
     if (error instanceof Cancelled) return null;
-    if (slot === "main") progress.value = null;
     throw error;
+  } finally {
+    if (slot === "main" && isLatest()) progress.value = null;
   }
 }
+
+/** Ends the run that is computed where it is, and keeps what there is of it. */
+export const stopComputing = () => settled(() => engine.ask("stop", { slot: "main" }));
 
 /** Does what may fail; tells what is wrong if it does, and whether it went well. */
 export async function settled(action: () => Promise<unknown>): Promise<boolean> {
@@ -190,11 +232,32 @@ export async function settled(action: () => Promise<unknown>): Promise<boolean> 
     return true;
   } catch (error) {
     if (error instanceof Problems) problems.value = error.problems;
-    else if (error instanceof EngineLost) say(error.reason === "stuck" ? "engineStuck" : "engineBroken");
-    else throw error;
+    else if (error instanceof TooManyBalls) say("tooManyBalls", { count: number(error.count) });
+    else if (!(error instanceof EngineLost)) throw error;
     return false;
   }
 }
+
+let isComingBack = false;
+
+/** The engine's runs are lost with it: the last good scenario comes back, and is computed anew. */
+engine.onLost = async (reason) => {
+  progress.value = null;
+  const { open, past: before, future: after } = good;
+  if (open && !isComingBack) {
+    isComingBack = true;
+    batch(() => {
+      pause();
+      [scenario.value, past.value, future.value] = [open, before, after];
+    });
+    await compute("main", open.json).catch(() => {});
+    isComingBack = false;
+  } else if (scenario.peek()) {
+    closeScenario();
+  }
+  const lost = word(reason === "stuck" ? "engineStuck" : "engineBroken");
+  notice.value = scenario.peek() ? `${lost} ${word("stillThere")}` : lost;
+};
 
 export function say(key: Word, values: Record<string, string | number> = {}) {
   notice.value = word(key, values);

@@ -2,10 +2,11 @@
 
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import type { Drawing } from "../engine/protocol";
 import { drawing, run, scenario, time } from "../studio/store";
 import { isDark } from "../studio/theme";
 import { number, word } from "../words";
-import { ballColours, DARK, LIGHT } from "./colours";
+import { ballColours, DARK, LIGHT, type Palette } from "./colours";
 import type { Body } from "./draw";
 import { onEachFrame } from "./frames";
 import { layers } from "./layers";
@@ -18,7 +19,17 @@ export const MARGIN = 28;
 export interface Scene {
   view: View;
   bodies: Body[];
-  palette: typeof LIGHT;
+  palette: Palette;
+}
+
+/** The scene of a table that fills so many pixels. */
+export function sceneOf(drawn: Drawing, width: number, height: number, palette: Palette): Scene {
+  const colours = ballColours(drawn.balls);
+  return {
+    view: fitted(drawn.table, width, height, MARGIN),
+    bodies: drawn.balls.map(({ radius }, ball) => ({ radius, colour: colours[ball] as string })),
+    palette,
+  };
 }
 
 export function Table() {
@@ -45,12 +56,7 @@ export function Table() {
     const density = window.devicePixelRatio || 1;
     pen.canvas.width = Math.round(width * density);
     pen.canvas.height = Math.round(height * density);
-    const colours = ballColours(drawn.balls);
-    const scene: Scene = {
-      view: fitted(drawn.table, width, height, MARGIN),
-      bodies: drawn.balls.map(({ radius }, ball) => ({ radius, colour: colours[ball] as string })),
-      palette,
-    };
+    const scene = sceneOf(drawn, width, height, palette);
     pen.setTransform(density, 0, 0, density, 0, 0);
     return onEachFrame(() => {
       pen.clearRect(0, 0, width, height);

@@ -125,25 +125,23 @@ export function drawBalls(
 
 /** A path for each colour: thousands of fills cost more than one of thousands of discs. */
 function drawMany(pen: Pen, bodies: Body[], x: Float64Array, y: Float64Array, view: View) {
-  const paths = new Map<string, Path2D>();
-  bodies.forEach(({ radius, colour }, ball) => {
-    if (Number.isNaN(x[ball])) return;
-    let path = paths.get(colour);
-    if (!path) {
-      path = new Path2D();
-      paths.set(colour, path);
-    }
-    const [px, py, r] = [
-      view.x(x[ball] as number),
-      view.y(y[ball] as number),
-      Math.max(radius * view.scale, 0.75),
-    ];
-    path.moveTo(px + r, py);
-    path.arc(px, py, r, 0, 2 * Math.PI);
+  const balls = new Map<string, number[]>();
+  bodies.forEach(({ colour }, ball) => {
+    const same = balls.get(colour);
+    if (same) same.push(ball);
+    else balls.set(colour, [ball]);
   });
-  for (const [colour, path] of paths) {
+  for (const [colour, same] of balls) {
+    pen.beginPath();
+    for (const ball of same) {
+      if (Number.isNaN(x[ball])) continue;
+      const [px, py] = [view.x(x[ball] as number), view.y(y[ball] as number)];
+      const pixels = Math.max((bodies[ball] as Body).radius * view.scale, 0.75);
+      pen.moveTo(px + pixels, py);
+      pen.arc(px, py, pixels, 0, 2 * Math.PI);
+    }
     pen.fillStyle = colour;
-    pen.fill(path);
+    pen.fill();
   }
 }
 

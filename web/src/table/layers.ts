@@ -2,6 +2,7 @@
 
 import { lessonBalls, lessonDirections } from "../lessons/layer";
 import { lesson } from "../lessons/state";
+import { ownTrajectory } from "../own/layer";
 import { otherRun, partingPlace } from "../panels/compare/layer";
 import { drawing } from "../studio/store";
 import { balls } from "./balls";
@@ -55,5 +56,6 @@ export const layers: Layer[] = [
   arrows,
   spin,
   besideLessons(partingPlace),
+  besideLessons(ownTrajectory),
   lessonDirections,
 ];

@@ -29,10 +29,16 @@ export const de: Words = {
 
   // What is wrong
   problemsTitle: "Das ist noch kein Szenario",
-  engineStuck:
-    "Das aufzubauen dauert auf dieser Seite zu lange, deshalb wurde es abgebrochen. Das vorige Szenario ist noch da.",
-  engineBroken: "Der Rechenkern ist ausgefallen und neu gestartet. Das vorige Szenario ist noch da.",
+  engineStuck: "Das dauert auf dieser Seite zu lange, deshalb wurde es abgebrochen.",
+  engineBroken: "Der Rechenkern ist ausgefallen, vielleicht aus Mangel an Speicher, und neu gestartet.",
+  stillThere: "Das vorige Szenario ist noch da.",
+  tooManyBalls:
+    "Das sind {count} Kugeln, und die Seite zeigt höchstens 50.000. Die Kommandozeile rechnet mit allen.",
   cut: "Die Seite behält {events} Ereignisse eines Laufs: Dieser wird bis {time} gezeigt.",
+  cutByMemory: "Dieser Lauf braucht viel Speicher: Er wird bis {time} gezeigt.",
+  cutByTime:
+    "Die Seite rechnet höchstens eine Sekunde lang Schritte eines Laufs: Dieser wird bis {time} gezeigt.",
+  cutByUser: "Abgebrochen: Dieser Lauf wird bis {time} gezeigt.",
 
   // The table
   tableLabel: "Der Tisch mit {balls} Kugeln zur Zeit {time}",
@@ -108,7 +114,79 @@ export const de: Words = {
   together: "zusammen",
 
   // Files, links, downloads
-  // (end of: Files, links, downloads)
+  files: "Dateien",
+  share: "Teilen",
+  shareHint: "Das ganze Szenario steckt im Link. Nichts wird gespeichert oder gesendet.",
+  shareTooLong: "Dieses Szenario ist zu groß für einen Link. Seine Datei lässt sich stattdessen weitergeben.",
+  link: "Link",
+  copyLink: "Link kopieren",
+  linkCopied: "Der Link ist kopiert.",
+  linkSelected: "Der Link ist markiert: mit Strg+C kopieren.",
+  linkLong: "Der Link hat {length} Zeichen; manche Programme für Mail und Chat schneiden so lange ab.",
+  linkSame: "Dieselben Bits wie dort, wo der Link entstand.",
+  linkDifferent: "Dieser Lauf weicht von dem ab, bei dem der Link entstand.",
+  linkOtherPhysics:
+    "Der Link entstand mit Version {there} der Physik, diese Seite hat Version {here}: Die beiden Läufe können sich unterscheiden.",
+  linkBroken: "Der Link ist beschädigt: Vielleicht wurde ein Teil abgeschnitten.",
+  linkTooLong: "Der Link ist länger, als die Seite annimmt.",
+  linkTooLarge: "Das Szenario in diesem Link ist größer, als die Seite annimmt.",
+  linkTooNew: "Der Link entstand mit einem neueren Carom Studio.",
+  linkUnknown: "Der Link nennt kein Szenario, das es hier gibt.",
+  download: "Herunterladen",
+  downloadScenario: "Szenario",
+  downloadRun: "Lauf",
+  downloadEvents: "Ereignisse",
+  downloadTrajectory: "Bahnen",
+  downloadPicture: "Bild",
+  downloadDrawing: "Zeichnung",
+  samples: "Zeitpunkte der Bahnen",
+  samplesWrong: "Eine ganze Zahl von 2 bis 100.000.",
+  openFile: "Öffnen",
+  openFileHint:
+    "Ein Szenario (TOML oder JSON), ein gespeicherter Lauf (JSON) oder eine eigene Bahn (CSV). Dateien lassen sich überall auf der Seite ablegen und Texte einfügen.",
+  chooseFile: "Datei öffnen …",
+  dropHint: "Oder eine Szenario-Datei irgendwo auf der Seite ablegen.",
+  dropHere: "Ein Szenario, einen gespeicherten Lauf oder eine Bahn ablegen",
+  pasteText: "Oder ihr Text oder ein Link:",
+  openText: "Diesen Text öffnen",
+  fileTooLarge: "{name} ist größer, als die Seite annimmt.",
+  fileNoText: "{name} ist kein Text in UTF-8.",
+  trajectoryNeedsScenario: "Das ist eine Tabelle: zuerst das Szenario öffnen, zu dem sie gehört.",
+  ownTitle: "Eigene Bahn",
+  ownHint:
+    "Eine CSV-Datei mit den Spalten time, x, y oder time, red.x, red.y und so weiter ablegen, um sie über dem Lauf zu sehen.",
+  ownPasted: "Eingefügte Tabelle",
+  ownRows: "({rows} Zeilen)",
+  ownBall: "Kugel",
+  ownLargest: "Größter Abstand",
+  ownAt: "Zur Zeit",
+  ownGoTo: "Zur Zeit {time} gehen",
+  ownForget: "Entfernen",
+  ownNearest:
+    "Sie nennt keine Kugel und wird deshalb mit der verglichen, die zu ihrer ersten Zeit am nächsten ist.",
+  ownLate: "{count} ihrer Zeilen liegen nicht in der Zeit des Laufs.",
+  ownLeftOut: "Nicht beachtete Spalten: {columns}",
+  ownTaken: "{name} liegt über dem Lauf, aber keine Zeile liegt in der Zeit des Laufs.",
+  ownCompared: "{name} liegt über dem Lauf; am weitesten entfernt ist {ball}: {distance}, zur Zeit {time}.",
+  ownMisread: "{name} war nicht zu verstehen; unter „Dateien“ steht, wo.",
+  ownMisreadTitle: "{name} war nicht zu verstehen",
+  ownLine: "Zeile {line}",
+  ownPlace: "Zeile {line}, {column}",
+  ownNoTime: "Keine Spalte heißt time oder t. Die Spalten sind: {columns}",
+  ownNoBall:
+    "Keine Spalte ist der Ort einer Kugel, wie x und y oder {id}.x und {id}.y. Die Spalten sind: {columns}",
+  ownHalf: "Die Spalte {column} ist da, aber nicht die andere von x und y.",
+  ownNoHeader:
+    "Es gibt keine Kopfzeile, und {found} Spalten sind nicht die Zeit mit x und y von Kugeln auf diesem Tisch.",
+  ownNoRows: "Es steht keine Zeile darin.",
+  ownTooManyRows: "Sie hat mehr als {most} Zeilen.",
+  ownTime: "Die Zeit ist keine endliche Zahl.",
+  ownWidth: "{found} Spalten, und {wanted} müssten es sein.",
+  ownDecimalCommas:
+    "{found} Spalten, und {wanted} müssten es sein. Bei Dezimalkommas gehören Strichpunkte zwischen die Spalten.",
+  ownEmptyField: "Eine Zahl fehlt.",
+  ownNoNumber: "„{text}“ ist keine Zahl.",
+  ownMore: "Und {count} weitere.",
 
   // Comparing: time steps and twins
   compare: "Vergleichen",

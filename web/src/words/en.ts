@@ -26,10 +26,15 @@ export const en = {
 
   // What is wrong
   problemsTitle: "This is not a scenario yet",
-  engineStuck:
-    "This takes too long to set up in the page, so it was broken off. The scenario before is still there.",
-  engineBroken: "The engine broke down and was started anew. The scenario before is still there.",
+  engineStuck: "This takes too long in the page, so it was broken off.",
+  engineBroken: "The engine broke down, perhaps for want of memory, and was started anew.",
+  stillThere: "The scenario before is still there.",
+  tooManyBalls:
+    "These are {count} balls, and the page shows 50,000 at most. The command line takes them all.",
   cut: "The page keeps {events} events of a run: this one is shown up to {time}.",
+  cutByMemory: "This run takes much memory: it is shown up to {time}.",
+  cutByTime: "The page takes a second at most for the steps of a run: this one is shown up to {time}.",
+  cutByUser: "Broken off: this run is shown up to {time}.",
 
   // The table
   tableLabel: "The table with {balls} balls at time {time}",
@@ -105,7 +110,78 @@ export const en = {
   together: "together",
 
   // Files, links, downloads
-  // (end of: Files, links, downloads)
+  files: "Files",
+  share: "Share",
+  shareHint: "The link has the whole scenario in it. Nothing is stored or sent anywhere.",
+  shareTooLong: "This scenario is too large for a link. Its file can be shared instead.",
+  link: "Link",
+  copyLink: "Copy link",
+  linkCopied: "The link is copied.",
+  linkSelected: "The link is selected: copy it with Ctrl+C.",
+  linkLong: "The link has {length} characters; some programs for mail and chat cut such long ones.",
+  linkSame: "Same bits as where the link was made.",
+  linkDifferent: "This run differs from the one where the link was made.",
+  linkOtherPhysics:
+    "The link was made with version {there} of the physics, and this page has version {here}: the two runs may differ.",
+  linkBroken: "The link is broken: perhaps a part of it was cut off.",
+  linkTooLong: "The link is longer than the page takes.",
+  linkTooLarge: "The scenario in this link is larger than the page takes.",
+  linkTooNew: "The link was made with a newer Carom Studio.",
+  linkUnknown: "The link names no scenario that is here.",
+  download: "Download",
+  downloadScenario: "Scenario",
+  downloadRun: "Run",
+  downloadEvents: "Events",
+  downloadTrajectory: "Trajectory",
+  downloadPicture: "Picture",
+  downloadDrawing: "Drawing",
+  samples: "Times in the trajectory",
+  samplesWrong: "A whole number from 2 to 100,000.",
+  openFile: "Open",
+  openFileHint:
+    "A scenario (TOML or JSON), a saved run (JSON), or your own trajectory (CSV). Files can be dropped anywhere on the page, and texts pasted.",
+  chooseFile: "Open a file …",
+  dropHint: "Or drop a scenario file anywhere on the page.",
+  dropHere: "Drop a scenario, a saved run or a trajectory",
+  pasteText: "Or its text, or a link:",
+  openText: "Open this text",
+  fileTooLarge: "{name} is larger than the page takes.",
+  fileNoText: "{name} is no text in UTF-8.",
+  trajectoryNeedsScenario: "This is a table: open the scenario that it belongs to first.",
+  ownTitle: "Your own trajectory",
+  ownHint:
+    "Drop a CSV file with the columns time, x, y, or time, red.x, red.y and so on, to see it over the run.",
+  ownPasted: "Pasted table",
+  ownRows: "({rows} rows)",
+  ownBall: "Ball",
+  ownLargest: "Largest distance",
+  ownAt: "At time",
+  ownGoTo: "Go to time {time}",
+  ownForget: "Remove",
+  ownNearest: "It names no ball, so it is held against the one that is nearest at its first time.",
+  ownLate: "{count} of its rows are not within the time of the run.",
+  ownLeftOut: "Columns not looked at: {columns}",
+  ownTaken: "{name} lies over the run, but no row of it is within the time of the run.",
+  ownCompared: "{name} lies over the run; farthest from it is {ball}: {distance}, at time {time}.",
+  ownMisread: "{name} was not understood; the panel “Files” says where.",
+  ownMisreadTitle: "{name} was not understood",
+  ownLine: "Line {line}",
+  ownPlace: "Line {line}, {column}",
+  ownNoTime: "No column is called time or t. Its columns are: {columns}",
+  ownNoBall:
+    "No column is the place of a ball, such as x and y, or {id}.x and {id}.y. Its columns are: {columns}",
+  ownHalf: "The column {column} is there, but not the other one of x and y.",
+  ownNoHeader:
+    "There is no header, and {found} columns are not the time with x and y of balls on this table.",
+  ownNoRows: "There is no row in it.",
+  ownTooManyRows: "It has more than {most} rows.",
+  ownTime: "The time is no finite number.",
+  ownWidth: "{found} columns, and {wanted} are wanted.",
+  ownDecimalCommas:
+    "{found} columns, and {wanted} are wanted. With decimal commas, put semicolons between the columns.",
+  ownEmptyField: "A number is missing.",
+  ownNoNumber: "“{text}” is not a number.",
+  ownMore: "And {count} more.",
 
   // Comparing: time steps and twins
   compare: "Compare",

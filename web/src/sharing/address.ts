@@ -1,0 +1,79 @@
+/**
+ * The address bar: its fragment says what is open. `#midterm` is a ready-made scenario, `#scenario=…` is one that is in
+ * the link itself, and nothing is the gallery.
+ */
+
+import { effect } from "@preact/signals";
+import { SCENARIOS } from "../studio/scenarios";
+import {
+  closeScenario,
+  type Open,
+  opened,
+  openNamed,
+  openText,
+  say,
+  scenario,
+  vocabulary,
+} from "../studio/store";
+import { BadLink, fragmentOf, MARK, readFragment } from "./link";
+
+/** A scenario of a file is put into the address up to so many characters: then a reload keeps it. */
+const LONGEST_ADDRESS = 30_000;
+
+/** What stands in the address for a larger one. */
+const FILE = "file";
+
+/** Opens what the address names, now and whenever it changes, and puts into it what is opened otherwise. */
+export function followAddress() {
+  window.addEventListener("hashchange", () => void openAddress());
+  effect(() => {
+    if (opened.value > 0) void putAddress(scenario.peek());
+  });
+  void openAddress();
+}
+
+const fragment = () => location.hash.slice(1);
+
+async function openAddress() {
+  const named = fragment();
+  if (named === "" || named === FILE) {
+    if (scenario.peek()) closeScenario();
+  } else if (!(await openFragment(named))) {
+    say("linkUnknown");
+  }
+}
+
+/** Opens what a fragment names; false where it names nothing that there is. */
+export async function openFragment(named: string): Promise<boolean> {
+  if (named.startsWith(MARK)) {
+    await openLink(named);
+    return true;
+  }
+  if (!Object.hasOwn(SCENARIOS, named)) return false;
+  await openNamed(named);
+  return true;
+}
+
+async function openLink(named: string) {
+  try {
+    const { json, claim } = await readFragment(named);
+    await openText(json, "json", null, claim);
+  } catch (error) {
+    if (!(error instanceof BadLink)) throw error;
+    say(error.reason);
+  }
+}
+
+async function putAddress(open: Open | null) {
+  const target = await fragmentFor(open);
+  if (scenario.peek() !== open || target === fragment()) return;
+  const { pathname, search } = location;
+  history.pushState(null, "", target === "" ? pathname + search : `#${target}`);
+}
+
+async function fragmentFor(open: Open | null): Promise<string> {
+  if (!open) return "";
+  if (open.name ?? open.link) return open.name ?? (open.link?.fragment as string);
+  const made = await fragmentOf(open.json, null, vocabulary.peek()?.physics_version ?? 0);
+  return made.length <= LONGEST_ADDRESS ? made : FILE;
+}
