@@ -33,8 +33,9 @@ const FIRST_PART = 60;
 /** So many milliseconds a stepped run may take: nothing can be asked meanwhile, so it cannot be taken back either. */
 const LONGEST_STEPPED = 1000;
 
-/** So many bytes of memory a run may take beyond what the engine had. */
-const MOST_MEMORY = 2 ** 28;
+/** So many bytes of memory a run may take beyond what the engine had; steps are copied slowly, so they get less. */
+const MOST_MEMORY = 2 ** 29;
+const MOST_MEMORY_STEPPED = 2 ** 26;
 
 /** A page can draw so many balls. */
 const MOST_BALLS = 50_000;
@@ -101,9 +102,7 @@ async function computed(slot: Slot, json: string, until: string | undefined, mos
   });
   runs.get(slot)?.free();
   runs.set(slot, run);
-  // To copy a long run takes a while too.
-  send({ id, isAlive: true });
-  return dataOf(run, cutBy);
+  return dataOf(run, cutBy, id);
 }
 
 async function inSlices(scenario: Scenario, until: string | undefined, mostEvents: number, id: number) {
@@ -119,7 +118,7 @@ async function inSlices(scenario: Scenario, until: string | undefined, mostEvent
     if (goesOn && now - began > FIRST_PART && computation.events() > 2 * shown) {
       shown = computation.events();
       const part = computation.run();
-      send({ id, part: dataOf(part, null) });
+      send({ id, part: dataOf(part, null, id) });
       part.free();
     } else {
       send({ id, time: computation.time(), events: computation.events() });
@@ -143,17 +142,22 @@ async function atOnce(scenario: Scenario) {
   let cutBy: CutBy | null = null;
   const run = run_at_once(scenario, () => {
     if (performance.now() > end) cutBy = "time";
-    else if (memoryTaken() - memory > MOST_MEMORY) cutBy = "memory";
+    else if (memoryTaken() - memory > MOST_MEMORY_STEPPED) cutBy = "memory";
     return cutBy !== null;
   });
   return { run, cutBy: cutBy as CutBy | null };
 }
 
-function dataOf(run: Run, cutBy: CutBy | null): RunData {
+/** To copy a long run takes a while too: so there are signs of life in between. */
+function dataOf(run: Run, cutBy: CutBy | null, id: number): RunData {
+  const part = <Part>(made: Part): Part => {
+    send({ id, isAlive: true });
+    return made;
+  };
   return {
-    summary: JSON.parse(run.summary()),
-    film: run.film() as unknown as FilmData,
-    events: run.events() as unknown as EventColumns,
+    summary: part(JSON.parse(run.summary())),
+    film: part(run.film() as unknown as FilmData),
+    events: part(run.events() as unknown as EventColumns),
     isCut: cutBy !== null,
     cutBy,
   };
