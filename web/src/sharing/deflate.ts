@@ -1,7 +1,7 @@
 /** Text made small, and back to its size, but no larger than is wanted. */
 
 /** Bytes that are inflated at once. Each may become a thousand, so that a bomb is noticed after a few. */
-const PART = 1024;
+const PART = 4096;
 
 export async function deflated(text: string): Promise<Uint8Array> {
   const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate-raw"));

@@ -231,11 +231,25 @@ export async function settled(action: () => Promise<unknown>): Promise<boolean> 
     await action();
     return true;
   } catch (error) {
-    if (error instanceof Problems) problems.value = error.problems;
+    if (error instanceof Problems) problems.value = readable(error.problems);
     else if (error instanceof TooManyBalls) say("tooManyBalls", { count: number(error.count) });
     else if (!(error instanceof EngineLost)) throw error;
     return false;
   }
+}
+
+/** So many problems are told, with so many letters each: of a foreign file there may be any number of any length. */
+const MOST_PROBLEMS = 20;
+const LONGEST_PROBLEM = 400;
+
+function readable(found: Problem[]): Problem[] {
+  const short = (text: string) =>
+    text.length > LONGEST_PROBLEM ? `${text.slice(0, LONGEST_PROBLEM)} …` : text;
+  const told = found
+    .slice(0, MOST_PROBLEMS)
+    .map(({ place, message }) => ({ place: short(place), message: short(message) }));
+  const left = found.length - told.length;
+  return left > 0 ? [...told, { place: "…", message: word("moreProblems", { count: number(left) }) }] : told;
 }
 
 let isComingBack = false;

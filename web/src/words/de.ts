@@ -29,6 +29,7 @@ export const de: Words = {
 
   // What is wrong
   problemsTitle: "Das ist noch kein Szenario",
+  moreProblems: "und {count} weitere",
   engineStuck: "Das dauert auf dieser Seite zu lange, deshalb wurde es abgebrochen.",
   engineBroken: "Der Rechenkern ist ausgefallen, vielleicht aus Mangel an Speicher, und neu gestartet.",
   stillThere: "Das vorige Szenario ist noch da.",

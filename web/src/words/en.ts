@@ -26,6 +26,7 @@ export const en = {
 
   // What is wrong
   problemsTitle: "This is not a scenario yet",
+  moreProblems: "and {count} more",
   engineStuck: "This takes too long in the page, so it was broken off.",
   engineBroken: "The engine broke down, perhaps for want of memory, and was started anew.",
   stillThere: "The scenario before is still there.",

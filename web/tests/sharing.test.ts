@@ -1,0 +1,83 @@
+/** Links: what is shared opens again with the same bits, and the address follows what is open. */
+
+import { inflateRawSync } from "node:zlib";
+import type { Page } from "playwright-core";
+import { expect, test } from "vitest";
+import { open, useBrowser } from "./browser";
+import { linkTo, TWO_BALLS } from "./links";
+
+useBrowser();
+
+const clock = (page: Page) => page.locator(".clock");
+const fragment = (page: Page) => page.evaluate(() => location.hash);
+const heading = (page: Page) => page.locator("h1").textContent();
+
+/** The fragment of the link in the panel, once it holds the digest of the run. */
+async function linkOf(page: Page): Promise<string> {
+  await page.getByRole("tab", { name: "Files" }).click();
+  await page.getByRole("button", { name: "Events CSV" }).and(page.locator(":enabled")).waitFor();
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.getByText("The link is copied.").waitFor();
+  const link = await page.getByLabel("Link", { exact: true }).inputValue();
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(link);
+  return link.slice(link.indexOf("#"));
+}
+
+test("a shared scenario opens with all its digits, and has the same bits", async () => {
+  const permissions = { permissions: ["clipboard-read", "clipboard-write"] };
+  const seed = "9007199254740993";
+  const text = `{ "format": 1, "collisions": 50, "gas": { "n": 20, "packing_fraction": 0.2, "seed": ${seed} } }`;
+  const sender = await open("", permissions);
+  await sender.locator(".cards").waitFor();
+  await sender.evaluate((pasted) => {
+    const data = new DataTransfer();
+    data.setData("text/plain", pasted);
+    document.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data }));
+  }, text);
+  await clock(sender).waitFor();
+  const link = await linkOf(sender);
+  const receiver = await open(link, permissions);
+  await receiver.getByText("Same bits as where the link was made.").waitFor();
+  expect(await linkOf(receiver)).toBe(link);
+  const packed = Buffer.from(link.slice("#scenario=".length), "base64url");
+  expect(inflateRawSync(packed).toString()).toContain(seed);
+});
+
+test("a link says when bits differ, makes no claim across versions of the physics, and none without a digest", async () => {
+  const page = await open(linkTo(TWO_BALLS, "sha256:00"));
+  await page.getByText("This run differs from the one where the link was made.").waitFor();
+  const other = await open(linkTo(TWO_BALLS, "sha256:00", 1));
+  await other.getByText("made with version 1 of the physics").waitFor();
+  expect(await other.getByText("differs").count()).toBe(0);
+  const silent = await open(linkTo(TWO_BALLS));
+  await clock(silent).waitFor();
+  expect(await silent.locator(".message").count()).toBe(0);
+});
+
+test("the address names what is open, and going back closes it", async () => {
+  const page = await open("#midterm");
+  await expect.poll(() => heading(page)).toContain("Two balls");
+  await page.getByRole("button", { name: "Gallery" }).click();
+  await expect.poll(() => fragment(page)).toBe("");
+  await page.goBack();
+  await expect.poll(() => heading(page)).toContain("Two balls");
+  await page.goForward();
+  await page.getByRole("button", { name: /^stadium|stadium$/i }).click();
+  await expect.poll(() => fragment(page)).toBe("#stadium");
+  await clock(page).waitFor();
+  await page.goBack();
+  await page.locator(".cards").waitFor();
+  expect(await fragment(page)).toBe("");
+});
+
+test("without a clipboard the link is selected instead", async () => {
+  const page = await open("#midterm");
+  await page.getByRole("tab", { name: "Files" }).click();
+  await page.evaluate(() => {
+    navigator.clipboard.writeText = () => Promise.reject(new Error("denied"));
+  });
+  await page.getByRole("button", { name: "Copy link" }).and(page.locator(":enabled")).click();
+  await page.getByText("The link is selected").waitFor();
+  const selected = await page.evaluate(() => String(getSelection()));
+  expect(selected).toContain("#scenario=");
+});
