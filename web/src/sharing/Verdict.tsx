@@ -25,7 +25,7 @@ export function LinkVerdict() {
   };
   return (
     <div class={found === "different" ? "message wrong" : "message"}>
-      {word(SAID[found], versions)}
+      <span>{word(SAID[found], versions)}</span>
       <Close
         onClick={() => {
           closed.value = opened.value;

@@ -4,6 +4,7 @@ import { signal } from "@preact/signals";
 import { takeTrajectory } from "../own/own";
 import { openPanel } from "../studio/App";
 import { openText, say, scenario } from "../studio/store";
+import { word } from "../words";
 import { openFragment } from "./address";
 import { LONGEST_LINK, MARK } from "./link";
 import { memberText } from "./member";
@@ -65,7 +66,7 @@ export async function takeText(text: string, name: string) {
 function takeTable(text: string, name: string) {
   if (!scenario.peek()) return say("trajectoryNeedsScenario");
   openPanel.value = "files";
-  takeTrajectory(text, name);
+  takeTrajectory(text, name || word("ownPasted"));
 }
 
 function linkIn(text: string): string | null {

@@ -209,7 +209,7 @@ export function Messages() {
       )}
       {notice.value && (
         <div class="message">
-          {notice.value}
+          <span>{notice.value}</span>
           <Close
             onClick={() => {
               notice.value = null;

@@ -1,7 +1,9 @@
 /** One's own trajectory beside the run: what each line is, and how far it is from the run. */
 
+import { useEffect, useRef } from "preact/hooks";
 import type { Misreading } from "../../own/csv";
 import { differences, forgetTrajectory, lateRows, misread, own } from "../../own/own";
+import { Close } from "../../studio/App";
 import { drawing, pause, seek } from "../../studio/store";
 import { ballColours } from "../../table/colours";
 import { number, word } from "../../words";
@@ -10,8 +12,8 @@ export function Own() {
   return (
     <section>
       <h2>{word("ownTitle")}</h2>
-      {own.value ? <Legend /> : <p class="hint">{word("ownHint")}</p>}
       {misread.value && <Misread />}
+      {own.value ? <Legend /> : <p class="hint">{word("ownHint")}</p>}
     </section>
   );
 }
@@ -24,8 +26,7 @@ function Legend() {
   return (
     <>
       <p class="own-name">
-        <strong>{trajectory.name || word("ownPasted")}</strong>{" "}
-        {word("ownRows", { rows: number(trajectory.times.length, 6) })}
+        <strong>{trajectory.name}</strong> {word("ownRows", { rows: number(trajectory.times.length, 6) })}
       </p>
       <table class="own">
         <thead>
@@ -101,9 +102,16 @@ function Notes() {
 
 function Misread() {
   const { name = "", misreadings = [] } = misread.value ?? {};
+  const message = useRef<HTMLDivElement>(null);
+  useEffect(() => message.current?.scrollIntoView({ block: "nearest" }), [misreadings]);
   return (
-    <div class="message wrong">
-      <strong>{word("ownMisreadTitle", { name: name || word("ownPasted") })}</strong>
+    <div class="message wrong" ref={message}>
+      <strong>{word("ownMisreadTitle", { name })}</strong>
+      <Close
+        onClick={() => {
+          misread.value = null;
+        }}
+      />
       <ul>
         {misreadings.map((misreading) => (
           <li key={JSON.stringify(misreading)}>{spoken(misreading)}</li>
