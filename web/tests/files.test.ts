@@ -3,6 +3,7 @@
 import { readFile } from "node:fs/promises";
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
+import { exact } from "../src/panels/files/csv";
 import { open, useBrowser } from "./browser";
 import { drop } from "./drop";
 
@@ -25,6 +26,23 @@ async function saved(page: Page, name: string): Promise<[string, Buffer]> {
 }
 
 const first = (file: Buffer, count: number) => file.toString().split("\n").slice(0, count);
+
+test("numbers are written as C's %.17g writes them, ties to even too", () => {
+  const written = {
+    "2.9802322387695312e-08": 2 ** -25,
+    "8.9406967163085938e-08": 3 * 2 ** -25,
+    "-0.10000000000000001": -0.1,
+    "10000000000000000": 1e16,
+    "1e+17": 1e17,
+    "0.0001": 1e-4,
+    "1.0000000000000001e-05": 1e-5,
+    "4.9406564584124654e-324": 5e-324,
+    "1.0000000000000001e+300": 1e300,
+    "-0": -0,
+    nan: Number.NaN,
+  };
+  for (const [text, value] of Object.entries(written)) expect(exact(value)).toBe(text);
+});
 
 test("events and trajectories have the columns, words and digits that Python writes", async () => {
   const page = await openFiles("midterm");

@@ -29,13 +29,18 @@ async function messageFor(fragment: string): Promise<string> {
   return (await message.textContent()) ?? "";
 }
 
-/** The page plays the scenario that it had. */
-async function expectUsable() {
+/** Back to a scenario that is known. */
+async function goBack() {
   await page.evaluate(() => {
     location.hash = "#midterm";
   });
   await expect.poll(() => page.locator(".stage .message").count()).toBe(0);
   await expect.poll(() => page.locator("h1").textContent()).toContain("Two balls");
+}
+
+/** The page plays on. */
+async function expectUsable() {
+  await goBack();
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await expect.poll(() => page.locator(".clock").textContent()).not.toBe("0 of 5");
   await page.getByRole("button", { name: "Pause", exact: true }).click();
@@ -55,8 +60,11 @@ const BROKEN = {
   "no known name": "#constructor",
 };
 
-test.each(Object.entries(BROKEN))("a link with %s is refused", async (_, fragment) => {
-  expect(await messageFor(fragment)).toMatch(/link|not a scenario/);
+test("a broken link is refused", async () => {
+  for (const [what, fragment] of Object.entries(BROKEN)) {
+    expect(await messageFor(fragment), what).toMatch(/link|not a scenario/);
+    await goBack();
+  }
   await expectUsable();
 });
 
@@ -83,6 +91,15 @@ test("what takes minutes to set up is broken off, and the scenario before stays"
   await expectUsable();
   expect(await messageFor(gas(60_000, { packing_fraction: 0.1 }))).toMatch(/60,000 balls|takes too long/);
   await expectUsable();
+});
+
+test("a page that is opened with a link that takes minutes goes on to the gallery", async () => {
+  const other = await open(gas(1_000_000));
+  await other.getByText("takes too long").waitFor({ timeout: SOON });
+  await other.getByRole("button", { name: "stadium" }).click();
+  await other.getByRole("tab", { name: "Files" }).click();
+  await other.getByRole("button", { name: "Events CSV" }).and(other.locator(":enabled")).waitFor();
+  await other.close();
 });
 
 test("endless runs are shown as far as the page goes", async () => {

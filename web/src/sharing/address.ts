@@ -1,9 +1,11 @@
 /**
  * The address bar: its fragment says what is open. `#midterm` is a ready-made scenario, `#scenario=…` is one that is in
- * the link itself, and nothing is the gallery.
+ * the link itself, `#lesson=…` is a lesson, and nothing is the gallery.
  */
 
 import { effect } from "@preact/signals";
+import { lessons } from "../lessons";
+import { closeLesson, lesson, openLesson } from "../lessons/state";
 import { SCENARIOS } from "../studio/scenarios";
 import {
   closeScenario,
@@ -23,6 +25,9 @@ const LONGEST_ADDRESS = 30_000;
 /** What stands in the address for a larger one. */
 const FILE = "file";
 
+/** What the fragment of a lesson begins with. */
+const LESSON = "lesson=";
+
 /** Opens what the address names, now and whenever it changes, and puts into it what is opened otherwise. */
 export function followAddress() {
   window.addEventListener("hashchange", () => void openAddress());
@@ -37,7 +42,8 @@ const fragment = () => location.hash.slice(1);
 async function openAddress() {
   const named = fragment();
   if (named === "" || named === FILE) {
-    if (scenario.peek()) closeScenario();
+    if (lesson.peek()) closeLesson();
+    else if (scenario.peek()) closeScenario();
   } else if (!(await openFragment(named))) {
     say("linkUnknown");
   }
@@ -47,6 +53,11 @@ async function openAddress() {
 export async function openFragment(named: string): Promise<boolean> {
   if (named.startsWith(MARK)) {
     await openLink(named);
+    return true;
+  }
+  const asked = lessons.find(({ id }) => named === LESSON + id);
+  if (asked) {
+    await openLesson(asked);
     return true;
   }
   if (!Object.hasOwn(SCENARIOS, named)) return false;
@@ -65,6 +76,8 @@ async function openLink(named: string) {
 }
 
 async function putAddress(open: Open | null) {
+  // What else follows the scenario, such as a lesson that ends with it, has followed then.
+  await Promise.resolve();
   const target = await fragmentFor(open);
   if (scenario.peek() !== open || target === fragment()) return;
   const { pathname, search } = location;
@@ -72,6 +85,7 @@ async function putAddress(open: Open | null) {
 }
 
 async function fragmentFor(open: Open | null): Promise<string> {
+  if (lesson.peek()) return LESSON + lesson.peek()?.id;
   if (!open) return "";
   if (open.name ?? open.link) return open.name ?? (open.link?.fragment as string);
   const made = await fragmentOf(open.json, null, vocabulary.peek()?.physics_version ?? 0);

@@ -49,12 +49,17 @@ function Frame() {
   );
 }
 
+/** A title of more letters is cut off: a foreign file may have millions. */
+const LONGEST_TITLE = 300;
+
 /** The name of what is open. */
 export function headline(): string {
   if (lesson.value) return word(lesson.value.title);
   if (!scenario.value) return word("title");
   const { name } = scenario.value;
-  return name ? described(name).title : String(written.value["title"] ?? word("title"));
+  return name
+    ? described(name).title
+    : String(written.value["title"] ?? word("title")).slice(0, LONGEST_TITLE);
 }
 
 function Header() {

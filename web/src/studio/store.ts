@@ -338,5 +338,7 @@ effect(() => {
 
 /** Loads the engine and what page and engine have in common. */
 export async function begin() {
-  vocabulary.value = await engine.ask("vocabulary", {});
+  await settled(async () => {
+    vocabulary.value = await engine.ask("vocabulary", {});
+  });
 }
