@@ -96,7 +96,7 @@ test("what takes minutes to set up is broken off, and the scenario before stays"
 test("a page that is opened with a link that takes minutes goes on to the gallery", async () => {
   const other = await open(gas(1_000_000));
   await other.getByText("takes too long").waitFor({ timeout: SOON });
-  await other.getByRole("button", { name: "stadium" }).click();
+  await other.locator("[data-scenario=stadium]").click();
   await other.getByRole("tab", { name: "Files" }).click();
   await other.getByRole("button", { name: "Events CSV" }).and(other.locator(":enabled")).waitFor();
   await other.close();

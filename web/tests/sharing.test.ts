@@ -10,7 +10,7 @@ useBrowser();
 
 const clock = (page: Page) => page.locator(".clock");
 const fragment = (page: Page) => page.evaluate(() => location.hash);
-const heading = (page: Page) => page.locator("h1").textContent();
+const heading = (page: Page) => page.locator(".bar h1").textContent();
 
 /** The fragment of the link in the panel, once it holds the digest of the run. */
 async function linkOf(page: Page): Promise<string> {
@@ -28,7 +28,7 @@ test("a shared scenario opens with all its digits, and has the same bits", async
   const seed = "9007199254740993";
   const text = `{ "format": 1, "collisions": 50, "gas": { "n": 20, "packing_fraction": 0.2, "seed": ${seed} } }`;
   const sender = await open("", permissions);
-  await sender.locator(".cards").waitFor();
+  await sender.locator(".cards").first().waitFor();
   await sender.evaluate((pasted) => {
     const data = new DataTransfer();
     data.setData("text/plain", pasted);
@@ -62,12 +62,24 @@ test("the address names what is open, and going back closes it", async () => {
   await page.goBack();
   await expect.poll(() => heading(page)).toContain("Two balls");
   await page.goForward();
-  await page.getByRole("button", { name: /^stadium|stadium$/i }).click();
+  await page.locator("[data-scenario=stadium]").click();
   await expect.poll(() => fragment(page)).toBe("#stadium");
   await clock(page).waitFor();
   await page.goBack();
-  await page.locator(".cards").waitFor();
+  await page.locator(".cards").first().waitFor();
   expect(await fragment(page)).toBe("");
+});
+
+test("a lesson has an address, and going back leaves it", async () => {
+  const page = await open();
+  await page.locator("[data-lesson]").first().click();
+  await expect.poll(() => fragment(page)).toMatch(/^#lesson=/);
+  const title = await heading(page);
+  const other = await open(await fragment(page));
+  await expect.poll(() => heading(other)).toBe(title);
+  await page.goBack();
+  await page.locator(".cards").first().waitFor();
+  await expect.poll(() => heading(page)).toBe("Carom Studio");
 });
 
 test("without a clipboard the link is selected instead", async () => {
