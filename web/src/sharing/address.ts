@@ -9,6 +9,7 @@ import { closeLesson, lesson, openLesson } from "../lessons/state";
 import { SCENARIOS } from "../studio/scenarios";
 import {
   closeScenario,
+  forgetMessages,
   type Open,
   opened,
   openNamed,
@@ -40,6 +41,7 @@ export function followAddress() {
 const fragment = () => location.hash.slice(1);
 
 async function openAddress() {
+  forgetMessages();
   const named = fragment();
   if (named === "" || named === FILE) {
     if (lesson.peek()) closeLesson();

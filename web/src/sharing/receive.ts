@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import { takeTrajectory } from "../own/own";
 import { openPanel } from "../studio/App";
-import { openText, say, scenario } from "../studio/store";
+import { forgetMessages, openText, say, scenario } from "../studio/store";
 import { word } from "../words";
 import { openFragment } from "./address";
 import { LONGEST_LINK, MARK } from "./link";
@@ -45,6 +45,7 @@ async function take(data: DataTransfer) {
 }
 
 export async function takeFile(file: File) {
+  forgetMessages();
   if (file.size > LARGEST_FILE) return say("fileTooLarge", { name: file.name });
   const text = new TextDecoder("utf-8").decode(await file.arrayBuffer());
   if (/[\0\uFFFD]/.test(text)) return say("fileNoText", { name: file.name });
@@ -55,6 +56,7 @@ export async function takeFile(file: File) {
 export async function takeText(text: string, name: string) {
   const trimmed = text.trim();
   if (trimmed === "") return;
+  forgetMessages();
   const link = linkIn(trimmed);
   if (link !== null) return void (await openFragment(link));
   const kind = kindOf(trimmed, name);

@@ -1,6 +1,7 @@
 /** The page: the gallery, or a table with its panels. */
 
 import { signal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
 import type { CutBy } from "../engine/protocol";
 import { Lesson } from "../lessons/Lesson";
 import { closeLesson, lesson } from "../lessons/state";
@@ -193,8 +194,12 @@ export function Messages() {
   const cut = by
     ? word(CUT[by], { events: number(run.value?.events.time.length ?? 0, 3), time: number(endTime.value) })
     : null;
+  const messages = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (notice.value || problems.value.length > 0) messages.current?.scrollIntoView({ block: "nearest" });
+  }, [notice.value, problems.value]);
   return (
-    <div class="messages" aria-live="polite">
+    <div class="messages" aria-live="polite" ref={messages}>
       {problems.value.length > 0 && (
         <div class="message wrong">
           <strong>{word("problemsTitle")}</strong>

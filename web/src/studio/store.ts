@@ -273,6 +273,11 @@ engine.onLost = async (reason) => {
   notice.value = scenario.peek() ? `${lost} ${word("stillThere")}` : lost;
 };
 
+export function forgetMessages() {
+  problems.value = [];
+  notice.value = null;
+}
+
 export function say(key: Word, values: Record<string, string | number> = {}) {
   notice.value = word(key, values);
 }
