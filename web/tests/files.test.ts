@@ -94,7 +94,7 @@ test("the scenario and the run come back from their files, and pictures are pict
   const [, png] = await saved(page, "Picture PNG");
   expect(png.subarray(1, 4).toString()).toBe("PNG");
   const [, svg] = await saved(page, "Drawing SVG");
-  expect(svg.toString()).toMatch(/^<svg .*<path .*<\/svg>$/s);
+  expect(svg.toString()).toMatch(/^<svg .*<path .*<text .*>gold<.*<\/svg>$/s);
 });
 
 test("one's own trajectory lies over the run, with its largest distance", async () => {

@@ -4,8 +4,8 @@ import type { ComponentType } from "preact";
 import type { Word } from "../words/en";
 import { Compare } from "./compare/Compare";
 import { Events } from "./events/Events";
-import { Graphs } from "./graphs/Graphs";
 import { Files } from "./files/Files";
+import { Graphs } from "./graphs/Graphs";
 import { RunPanel } from "./RunPanel";
 
 export interface Panel {

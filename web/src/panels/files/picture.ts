@@ -7,6 +7,7 @@ import type { Pen } from "../../table/draw";
 import { layers } from "../../table/layers";
 import { sceneOf } from "../../table/Table";
 import { aspect } from "../../table/view";
+import { withTexts } from "./svgText";
 
 /** Pixels of the longer side, with the margin around the table; a picture of pixels has so many for each of them. */
 const LONG = 1000;
@@ -34,7 +35,7 @@ export async function pngPicture(): Promise<Blob> {
 export async function svgPicture(): Promise<Blob> {
   const { Context } = await import("svgcanvas");
   const [width, height] = size();
-  const pen = new Context({ width, height });
+  const pen = withTexts(new Context({ width, height }));
   paint(pen as unknown as Pen, width, height);
   return new Blob([pen.getSerializedSvg()], { type: "image/svg+xml" });
 }
