@@ -29,13 +29,17 @@ async function messageFor(fragment: string): Promise<string> {
   return (await message.textContent()) ?? "";
 }
 
-/** Back to a scenario that is known. */
+/** Back to a scenario that is known, by way of another one: so it is seen when it is there. */
 async function goBack() {
-  await page.evaluate(() => {
-    location.hash = "#midterm";
-  });
-  await expect.poll(() => page.locator(".stage .message").count()).toBe(0);
-  await expect.poll(() => page.locator("h1").textContent()).toContain("Two balls");
+  for (const [name, title] of [
+    ["head_on_unequal", "Head-on"],
+    ["midterm", "Two balls"],
+  ] as const) {
+    await page.evaluate((hash) => {
+      location.hash = hash;
+    }, name);
+    await expect.poll(() => page.locator("h1").textContent()).toContain(title);
+  }
 }
 
 /** The page plays on. */
