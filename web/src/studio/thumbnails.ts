@@ -1,5 +1,6 @@
 /** Pictures of the ready-made scenarios, computed one after the other while the page has nothing else to do. */
 
+import { EngineLost } from "../engine/client";
 import { Film } from "../engine/film";
 import type { Drawing } from "../engine/protocol";
 import { ballColours, type Palette } from "../table/colours";
@@ -29,7 +30,9 @@ let last: Promise<unknown> = Promise.resolve();
 export function pictureOf(name: string): Promise<Picture> {
   let picture = pictures.get(name);
   if (!picture) {
-    picture = last.then(() => computed(name));
+    // What made the engine give up was something else: so it is asked again.
+    const again = (error: unknown) => (error instanceof EngineLost ? computed(name) : Promise.reject(error));
+    picture = last.then(() => computed(name).catch(again));
     last = picture.catch(() => pictures.delete(name));
     pictures.set(name, picture);
   }
