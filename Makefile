@@ -58,7 +58,7 @@ check-engine: ## Check the engine while you work on it: format, lints, laws, sce
 test: both test-rust test-python test-page lint docs ## Run every test and lint, and build the site
 
 # The package and the page are linked on one core each, so they are built at once.
-both:
+both: ## Build the package and the page at once
 	@$(MAKE) --no-print-directory -j2 build page
 
 test-rust: ## Run the engine's tests, the golden digests in an unoptimised build too

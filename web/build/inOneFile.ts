@@ -9,20 +9,23 @@ import type { Plugin } from "vite";
 export function inOneFile(name: string, notices?: string[]): Plugin {
   return {
     name: "in-one-file",
-    enforce: "post",
-    generateBundle(_, bundle) {
-      const [page, script, style] = [".html", ".js", ".css"].map((ending) => {
-        const found = Object.values(bundle).filter(({ fileName }) => fileName.endsWith(ending));
-        if (found.length !== 1) this.error(`one file has one ${ending} in it, not ${found.length}`);
-        return found[0];
-      });
-      if (page?.type !== "asset" || script?.type !== "chunk" || style?.type !== "asset") {
-        return this.error("the parts of the page are not what they were");
-      }
-      const texts = notices ?? licencesOf(script.moduleIds);
-      const html = put(String(page.source), script.code, String(style.source), texts);
-      for (const file of Object.keys(bundle)) delete bundle[file];
-      this.emitFile({ type: "asset", fileName: name, source: html });
+    generateBundle: {
+      // Vite itself writes into the script until here.
+      order: "post",
+      handler(_, bundle) {
+        const [page, script, style] = [".html", ".js", ".css"].map((ending) => {
+          const found = Object.values(bundle).filter(({ fileName }) => fileName.endsWith(ending));
+          if (found.length !== 1) this.error(`one file has one ${ending} in it, not ${found.length}`);
+          return found[0];
+        });
+        if (page?.type !== "asset" || script?.type !== "chunk" || style?.type !== "asset") {
+          return this.error("the parts of the page are not what they were");
+        }
+        const texts = notices ?? licencesOf(script.moduleIds);
+        const html = put(String(page.source), script.code, String(style.source), texts);
+        for (const file of Object.keys(bundle)) delete bundle[file];
+        this.emitFile({ type: "asset", fileName: name, source: html });
+      },
     },
   };
 }

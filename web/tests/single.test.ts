@@ -14,14 +14,15 @@ test("the file opens from disk with the network off, computes and plays", async 
   const asked: string[] = [];
   page.on("request", (request) => asked.push(request.url().slice(0, 40)));
   await page.goto(FILE);
-  await page
-    .getByRole("button", { name: /midterm/ })
-    .first()
-    .click();
+  await openScenario(page, "midterm");
   const clock = page.locator(".clock");
   await expect.poll(() => clock.textContent()).toBe("0 of 5");
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await expect.poll(() => clock.textContent()).not.toBe("0 of 5");
+  // Panels that are files of their own elsewhere are in it, too.
+  for (const tab of await page.getByRole("tab").all()) await tab.click();
+  await page.getByRole("tab", { name: "Graphs" }).click();
+  await page.locator(".uplot canvas").first().waitFor();
   expect(asked.filter((url) => !/^(data|blob):/.test(url))).toEqual([FILE.slice(0, 40)]);
 });
 
