@@ -13,13 +13,14 @@ if TYPE_CHECKING:
     from carom.scenario import Scenario
 
 FORMAT = 1
+MARK = "#scenario="
 
 
 def fragment_of(scenario: Scenario, digest: str | None = None) -> str:
     """Give the fragment of a link that opens a scenario in the studio, ``#`` included.
 
-    It is ``#s=`` and, as base64 for links, the raw deflate of a JSON text with ``format``, ``scenario``, ``digest`` and
-    ``physics_version``; `web/src/studio/links.ts` reads and writes the same.
+    After its mark it is, as base64 for links, the raw deflate of two lines: what the link is from, and the scenario
+    with every digit that it has, both as JSON. `web/src/sharing/link.ts` reads and writes the same.
 
     Parameters
     ----------
@@ -28,8 +29,8 @@ def fragment_of(scenario: Scenario, digest: str | None = None) -> str:
     digest : str, optional
         The digest of its run; the page then says whether it got the same bits.
     """
-    values = {"format": FORMAT, "scenario": scenario.to_dict(), "digest": digest}
-    text = json.dumps({**values, "physics_version": _engine.PHYSICS_VERSION}, separators=(",", ":"))
+    head = {"format": FORMAT, "physics_version": _engine.PHYSICS_VERSION, "digest": digest}
+    text = f"{json.dumps(head, separators=(',', ':'))}\n{scenario.to_json()}"
     packer = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
     packed = packer.compress(text.encode("utf-8")) + packer.flush()
-    return "#s=" + urlsafe_b64encode(packed).decode("ascii").rstrip("=")
+    return MARK + urlsafe_b64encode(packed).decode("ascii").rstrip("=")
