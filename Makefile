@@ -15,22 +15,33 @@ SCENARIOS := $(wildcard scenarios/*)
 PAGE_ENGINE := web/engine/carom_wasm.js
 BINDGEN_VERSION := $(shell sed -n 's/^wasm-bindgen = "=\(.*\)"/\1/p' crates/carom-wasm/Cargo.toml)
 BINDGEN := target/wasm-bindgen-$(BINDGEN_VERSION)/bin/wasm-bindgen
-PAGE := $(shell find web -type f -not -path '*/node_modules/*' -not -path 'web/dist/*' -not -path 'web/engine/*' 2>/dev/null)
+PAGE := $(shell find web -type f -not -path '*/node_modules/*' -not -path 'web/dist*' -not -path 'web/engine/*' 2>/dev/null)
 
-.PHONY: help build run page both test-page check-engine test test-rust test-python lint lint-rust lint-python format docs licences
+BUILT_PAGE := web/dist/carom-studio.html
+PACKAGED := python/carom/studio/page/index.html
+node_is_new = node -e 'const [a, b] = process.versions.node.split("."); process.exit(a < 20 || (a == 20 && b < 19) ? 1 : 0)'
+HAS_NODE := $(shell $(node_is_new) 2>/dev/null && echo yes)
+
+.PHONY: help build run page package-page studio both test-page check-engine test test-rust test-python lint lint-rust lint-python format docs licences
 .PHONY: pictures third-party bench bench-gas bench-pooltool campaign campaign-gas digests checkpoint wheel wheel-check floors clean
 
 help: ## List these commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-build: $(VENV)/.built ## Build the engine and set up .venv with the package and its tools
+build: $(VENV)/.built $(if $(HAS_NODE),$(PACKAGED)) ## Build the engine and set up .venv with the package and its tools
+	@$(if $(HAS_NODE),,echo "Without Node.js 20.19 or newer, https://nodejs.org, carom studio and run.player() have no page")
 
 run: build ## Run the exercise both ways into out/midterm/
 	@mkdir -p out/midterm
 	$(BIN)/carom run midterm --out out/midterm/exact --overwrite
 	$(BIN)/carom run midterm --method stepped --dt 0.03 --out out/midterm/stepped --overwrite
 
-page: web/dist/index.html ## Build the page of the studio into web/dist/
+page: $(BUILT_PAGE) ## Build the page of the studio into web/dist/, and as one file, web/dist/carom-studio.html
+
+package-page: $(PACKAGED) ## Put the built page into the package, where wheels take it from
+
+studio: build ## Open the studio in the browser
+	$(BIN)/carom studio
 
 test-page: page ## Run the page's tests in Chromium, and check its format, lints and types
 	@$(need_chromium)
@@ -47,7 +58,7 @@ check-engine: ## Check the engine while you work on it: format, lints, laws, sce
 test: both test-rust test-python test-page lint docs ## Run every test and lint, and build the site
 
 # The package and the page are linked on one core each, so they are built at once.
-both:
+both: ## Build the package and the page at once
 	@$(MAKE) --no-print-directory -j2 build page
 
 test-rust: ## Run the engine's tests, the golden digests in an unoptimised build too
@@ -91,12 +102,12 @@ docs: build ## Build the site into site/, warnings as errors, and check its link
 pictures: build ## Draw the pictures of the README anew
 	$(BIN)/python docs/carom_docs/front.py
 
-licences: build ## Check the licences of all that is shipped, and THIRD-PARTY.txt
+licences: build web/node_modules/.package-lock.json ## Check the licences of all that is shipped, and THIRD-PARTY.txt
 	@$(need_rust)
 	$(BIN)/python -m doctest tests/packaging/licences.py
 	$(BIN)/python tests/packaging/licences.py
 
-third-party: build ## Write THIRD-PARTY.txt anew, after a change of Cargo.lock
+third-party: build web/node_modules/.package-lock.json ## Write THIRD-PARTY.txt anew, after a change of a lock file
 	@$(need_rust)
 	$(BIN)/python tests/packaging/licences.py --write
 
@@ -128,7 +139,7 @@ checkpoint: ## Write the committed checkpoint anew, after a change of its format
 	@$(need_rust)
 	CAROM_MINT_CHECKPOINT="$(REASON)" $(CARGO) test --locked --profile $(TEST_PROFILE) -p carom --test observe -- golden_checkpoint
 
-wheel: $(VENV)/.tools ## Build a wheel and a source archive into dist/
+wheel: $(VENV)/.tools $(PACKAGED) ## Build a wheel and a source archive into dist/
 	@$(need_rust)
 	@# The archive leaves other members of the workspace out, so its Cargo.lock is longer than it need be: not --locked.
 	rm -f dist/carom-*
@@ -145,8 +156,8 @@ floors: wheel ## Run the package's tests with the oldest supported Python packag
 	tests/packaging/floors.sh $(FLOOR_PYTHON) dist
 
 clean: ## Remove everything that was built
-	rm -rf target web/node_modules web/engine web/dist $(VENV) $(POOLTOOL) out dist site docs/pictures docs/reference/api .pytest_cache .ruff_cache .mypy_cache .hypothesis
-	rm -f python/carom/_engine*.so
+	rm -rf target web/node_modules web/engine web/dist web/dist-player python/carom/studio/page $(VENV) $(POOLTOOL) out dist site docs/pictures docs/reference/api .pytest_cache .ruff_cache .mypy_cache .hypothesis
+	rm -f python/carom/_engine*.so python/carom/studio/player.html
 	find python tests -name __pycache__ -type d -prune -exec rm -rf {} +
 
 FLOOR_PYTHON ?= python3.10
@@ -156,7 +167,7 @@ need_rust = command -v $(CARGO) >/dev/null \
 need_python = $(PYTHON) -c 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 10))' 2>/dev/null \
 	|| { echo "Carom needs Python 3.10 or newer with venv (on Debian: python3-venv); name one with make PYTHON=..."; exit 1; }
 
-need_node = node -e 'const [a, b] = process.versions.node.split("."); process.exit(a < 20 || (a == 20 && b < 19))' 2>/dev/null \
+need_node = $(node_is_new) 2>/dev/null \
 	|| { echo "The page is built with Node.js 20.19 or newer and its npm: https://nodejs.org says how to get it"; exit 1; }
 need_wasm = rustc --print target-libdir --target wasm32-unknown-unknown 2>/dev/null | xargs ls >/dev/null 2>&1 \
 	|| rustup target add wasm32-unknown-unknown \
@@ -189,8 +200,14 @@ $(VENV)/.built: $(VENV)/.tools $(RUST) Cargo.toml Cargo.lock $(SCENARIOS)
 	VIRTUAL_ENV="$(CURDIR)/$(VENV)" $(BIN)/maturin develop --release --locked --extras all
 	@touch $@
 
-web/dist/index.html: $(PAGE_ENGINE) web/node_modules/.package-lock.json $(PAGE) $(SCENARIOS)
+$(BUILT_PAGE): $(PAGE_ENGINE) web/node_modules/.package-lock.json $(PAGE) $(SCENARIOS) THIRD-PARTY.txt
 	cd web && npm run --silent build
+
+$(PACKAGED): $(BUILT_PAGE)
+	rm -rf python/carom/studio/page
+	mkdir python/carom/studio/page
+	cp web/dist-player/player.html python/carom/studio/
+	cp -r web/dist/assets web/dist/index.html python/carom/studio/page/
 
 web/node_modules/.package-lock.json: web/package-lock.json
 	@$(need_node)
@@ -201,7 +218,7 @@ $(PAGE_ENGINE): $(BINDGEN) $(RUST) Cargo.toml Cargo.lock
 	@$(need_rust)
 	@$(need_wasm)
 	$(CARGO) build --locked --profile page -p carom-wasm --target wasm32-unknown-unknown
-	$(BINDGEN) target/wasm32-unknown-unknown/page/carom_wasm.wasm --target web --out-dir web/engine
+	$(BINDGEN) target/wasm32-unknown-unknown/page/carom_wasm.wasm --target web --omit-default-module-path --out-dir web/engine
 
 # A tool of an unoptimised build is there much sooner, and fast enough.
 $(BINDGEN):

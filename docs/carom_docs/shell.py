@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).parents[2]
 BEGIN, END = "\036", "\037"
@@ -36,7 +37,7 @@ class Result:
 def run(text: str) -> Iterator[Result]:
     """Run the commands of a block in one shell, and give what each did.
 
-    Commands that install or build are not run; that what they name exists is checked instead.
+    Commands that install, build or serve are not run; that what they name exists is checked instead.
     """
     commands = [(command, shown) for command, shown in commands_in(text) if not only_checked(command)]
     if not commands:
@@ -74,11 +75,24 @@ def only_checked(command: str) -> bool:
         project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
         named = [extra for group in extras for extra in group.split(",")]
         unknown = [extra for extra in named if not re.search(rf"^{extra} = \[", project, re.MULTILINE)]
+    elif words[:2] == ["carom", "studio"]:
+        _read_options(words[1], words[2:])
+        unknown = []
     else:
         return words[0] in ("git", "cargo", "source") or {"-m", "venv"} <= set(words)
     if unknown:
         raise AssertionError(f"{command}: there is no {', '.join(unknown)}")
     return True
+
+
+def _read_options(command: str, words: list[str]) -> None:
+    """Read the options of a command as it does itself; wrong ones raise."""
+    import typer
+
+    from carom.cli.app import app
+
+    group: Any = typer.main.get_command(app)
+    group.commands[command].make_context(command, words)
 
 
 def _watched(command: str) -> str:

@@ -70,6 +70,7 @@ if TYPE_CHECKING:
     from carom.scenario import Scenario, load
     from carom.shot import ShotResult
     from carom.simulation import Candidate, Simulation
+    from carom.studio import MissingPageError, Player
     from carom.sweep import Sweep, SweepResult, outcomes_of_table
     from carom.table import Arc, Circle, Line, Mouth, Path, Pocket, Table, Wall
     from carom.tolerance import Margin, Tolerance
@@ -131,6 +132,7 @@ _HOMES = {
     "scenario": ["Scenario", "load"],
     "shot": ["ShotResult"],
     "simulation": ["Candidate", "Simulation"],
+    "studio": ["MissingPageError", "Player"],
     "sweep": ["Sweep", "SweepResult", "outcomes_of_table"],
     "table": ["Arc", "Circle", "Line", "Mouth", "Path", "Pocket", "Table", "Wall"],
     "tolerance": ["Margin", "Tolerance"],
@@ -173,6 +175,7 @@ __all__ = [
     "Mathavan2010",
     "Mathavan2014",
     "MissingExtraError",
+    "MissingPageError",
     "Mouth",
     "Normal",
     "Observable",
@@ -180,6 +183,7 @@ __all__ = [
     "Parting",
     "Path",
     "Physics",
+    "Player",
     "Pocket",
     "Quantity",
     "Rack",

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
     from carom.cue import Shot
     from carom.shot import ShotResult
+    from carom.studio import Player
 else:
     from carom import arrays as np
 
@@ -537,6 +538,31 @@ class Run:
         from carom.report import write_report
 
         write_report(self, path, pictures=None if figures else {})
+
+    def player(self, path: str | os.PathLike[str] | None = None) -> Player:
+        """Give a page that plays the run: the table, a time line and the events, without network and without Carom.
+
+        It is one HTML file, and the same run gives the same bytes. A notebook shows it, and shows it below a run, too,
+        where it is not too large.
+
+        Parameters
+        ----------
+        path : path-like, optional
+            Where to write it.
+
+        Raises
+        ------
+        RunError
+            When the run kept no flights or steps, or is too large for a browser.
+        CaromError
+            When this installation was made without the page.
+        """
+        from carom.studio import player_of
+
+        player = player_of(self)
+        if path is not None:
+            player.save(path)
+        return player
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Run):

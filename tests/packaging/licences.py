@@ -1,8 +1,9 @@
 """Check the licences of all that Carom ships or asks pip to install; write THIRD-PARTY.txt.
 
-The wheel holds Rust crates, linked in: `cargo tree` lists them, without what only builds or tests, for every
-target. Their licences go into THIRD-PARTY.txt, which the wheel and the source archive carry. The Python packages
-of the base install and of the extras are not shipped, but whoever installs Carom gets them.
+The wheel holds Rust crates, linked into the compiled module and into the engine of the page: `cargo tree` lists them,
+without what only builds or tests, for every target. The page holds packages of npm: its lock file lists them. Their
+licences go into THIRD-PARTY.txt, which the wheel, the source archive and the page as one file carry. The Python
+packages of the base install and of the extras are not shipped, but whoever installs Carom gets them.
 
     python licences.py           complain about a licence that is not allowed, or a stale THIRD-PARTY.txt
     python licences.py --write   write THIRD-PARTY.txt anew
@@ -23,11 +24,12 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).parents[2]
+WEB = ROOT / "web"
 NOTICE = ROOT / "THIRD-PARTY.txt"
 
 ALLOWED = {
     "0BSD", "Apache-2.0", "BSD-2-Clause", "BSD-3-Clause", "CC0-1.0", "HPND", "ISC", "MIT", "MIT-CMU", "PSF-2.0",
-    "Unlicense", "Zlib",
+    "Unicode-3.0", "Unlicense", "Zlib",
 }  # fmt: skip
 
 # What older metadata says in words of its own.
@@ -48,18 +50,19 @@ EXCEPTIONS = {
 }
 
 HEAD = """\
-Carom's compiled module holds the Rust crates listed here, and the Rust standard library, which is
-MIT OR Apache-2.0 and lists its own parts in the file COPYRIGHT-library.html of each Rust release.
+Carom's compiled module and the engine of its page hold the Rust crates listed here, and the Rust standard
+library, which is MIT OR Apache-2.0 and lists its own parts in the file COPYRIGHT-library.html of each Rust
+release. The page holds the packages of npm that are listed after them.
 
-This file is written by `make third-party`; a check holds it to Cargo.lock.
+This file is written by `make third-party`; a check holds it to Cargo.lock and web/package-lock.json.
 """
 
 LICENSING = get_spdx_licensing()
 
 
 @dataclass(frozen=True, order=True)
-class Crate:
-    """A Rust crate that is linked into the wheel, and the licence files in its source."""
+class Part:
+    """A Rust crate or a package of npm that is shipped, and the licence files in its source."""
 
     name: str
     version: str
@@ -69,27 +72,28 @@ class Crate:
 
 def main() -> None:
     """Check, or write with --write; ends the process with 1 if something is wrong."""
-    crates = sorted(shipped_crates())
+    crates, modules = sorted(shipped_crates()), sorted(shipped_modules())
     packages = {name: licence_of(distribution(name)) for name in sorted(packages_of(Requirement("carom[all]")))}
-    notice = notice_of(crates)
+    notice = notice_of(crates, modules)
     if sys.argv[1:] == ["--write"]:
         NOTICE.write_text(notice, encoding="utf-8", newline="\n")
-    problems = [*problems_of_crates(crates), *problems_of_packages(packages)]
+    problems = [*problems_of_parts(crates + modules), *problems_of_packages(packages)]
     if not NOTICE.exists() or NOTICE.read_text(encoding="utf-8") != notice:
         problems.append(f"{NOTICE.name} is stale: make third-party writes it anew")
     if problems:
         sys.exit("\n".join(problems))
-    print(f"licences: {len(crates)} crates and {len(packages)} Python packages, all allowed but for")
+    counted = f"{len(crates)} crates, {len(modules)} packages of npm and {len(packages)} Python packages"
+    print(f"licences: {counted}, all allowed but for")
     print("\n".join(f"  {name}: {why}" for name, why in EXCEPTIONS.items()))
 
 
-def problems_of_crates(crates: list[Crate]) -> Iterator[str]:
-    """Name the crates that may not be shipped, or not without a text that they do not have."""
-    for crate in crates:
-        if not is_allowed(crate.licence):
-            yield f"crate {crate.name} {crate.version}: {crate.licence} is not allowed"
-        if not crate.texts:
-            yield f"crate {crate.name} {crate.version}: its source has no licence text"
+def problems_of_parts(parts: list[Part]) -> Iterator[str]:
+    """Name what may not be shipped, or not without a text that it does not have."""
+    for part in parts:
+        if not is_allowed(part.licence):
+            yield f"{part.name} {part.version}: {part.licence} is not allowed"
+        if not part.texts:
+            yield f"{part.name} {part.version}: its source has no licence text"
 
 
 def problems_of_packages(packages: dict[str, str]) -> Iterator[str]:
@@ -127,15 +131,24 @@ def parsed(licence: str) -> LicenseExpression | None:
         return None
 
 
-def shipped_crates() -> Iterator[Crate]:
-    """Find the crates of others that the compiled module is linked with, on any target."""
-    tree = ["tree", "--package=carom-python", "--edges=normal,no-proc-macro", "--target=all"]
+def shipped_crates() -> Iterator[Part]:
+    """Find the crates of others that the compiled module and the page's engine are linked with, on any target."""
+    tree = ["tree", "--package=carom-python", "--package=carom-wasm", "--edges=normal,no-proc-macro", "--target=all"]
     lines = _cargo(*tree, "--prefix=none", "--format={p}").splitlines()
     linked = {tuple(line.split()[:2]) for line in lines}
     for package in json.loads(_cargo("metadata", "--format-version=1"))["packages"]:
         if package["source"] and (package["name"], f"v{package['version']}") in linked:
             folder = Path(package["manifest_path"]).parent
-            yield Crate(package["name"], package["version"], package["license"] or "none", tuple(_texts_in(folder)))
+            yield Part(package["name"], package["version"], package["license"] or "none", tuple(_texts_in(folder)))
+
+
+def shipped_modules() -> Iterator[Part]:
+    """Find the packages of npm that the page is built of; what only builds or tests it is none of them."""
+    listed = json.loads((WEB / "package-lock.json").read_text(encoding="utf-8"))["packages"]
+    for place, package in listed.items():
+        if place and not package.get("dev"):
+            name = place.rpartition("node_modules/")[2]
+            yield Part(name, package["version"], package.get("license", "none"), tuple(_texts_in(WEB / place)))
 
 
 def _cargo(*words: str) -> str:
@@ -150,24 +163,28 @@ def _texts_in(folder: Path) -> Iterator[tuple[str, str]]:
             yield path.name, "\n".join(line.rstrip() for line in text.splitlines())
 
 
-def notice_of(crates: list[Crate]) -> str:
-    """Give the text of THIRD-PARTY.txt: the crates, then every licence text once, under the crates that have it."""
-    width = max(len(f"{crate.name} {crate.version}") for crate in crates)
-    listed = [f"{f'{crate.name} {crate.version}':{width}}  {crate.licence}" for crate in crates]
+def notice_of(crates: list[Part], modules: list[Part]) -> str:
+    """Give the text of THIRD-PARTY.txt: the crates, the modules, then every licence text once, under its owners."""
+    parts = crates + modules
+    width = max(len(f"{part.name} {part.version}") for part in parts)
+    listed = [
+        "\n".join(f"{f'{part.name} {part.version}':{width}}  {part.licence}" for part in group) + "\n"
+        for group in (crates, modules)
+    ]
     owners: dict[str, list[str]] = {}
     texts: dict[str, str] = {}
-    for crate in crates:
-        for name, text in crate.texts:
+    for part in parts:
+        for name, text in part.texts:
             # Copies differ in how their lines are broken.
             key = " ".join(text.split())
             texts.setdefault(key, text)
-            owners.setdefault(key, []).append(f"{crate.name} ({name})")
+            owners.setdefault(key, []).append(f"{part.name} ({name})")
     rule = "=" * 79
     blocks = [
         f"{rule}\n{fill(', '.join(owners[key]), 79, break_on_hyphens=False)}\n{rule}\n\n{text}\n"
         for key, text in texts.items()
     ]
-    return "\n".join([HEAD, "\n".join(listed) + "\n", *blocks])
+    return "\n".join([HEAD, *listed, *blocks])
 
 
 def packages_of(wanted: Requirement) -> set[str]:

@@ -8,12 +8,14 @@ import importlib.util
 import json
 import os
 import platform
+import re
 import shutil
 import subprocess
 import sys
 import sysconfig
 import tempfile
 import time
+import urllib.request
 from importlib.metadata import version
 from pathlib import Path
 
@@ -34,6 +36,7 @@ def main() -> None:
         milliseconds = check_import()
         digests = check_library()
         check_commands()
+        check_studio()
         check_extras()
         os.chdir(before)
     where = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}, numpy {version('numpy')}"
@@ -68,6 +71,8 @@ def check_library() -> int:
     run.save("run.json")
     assert carom.load_run("run.json") == run
     run.trajectory([0.0, 0.5]).to_csv("trajectory.csv")
+    run.player("player.html")
+    assert str(run.digest) in Path("player.html").read_text(encoding="utf-8")
     assert not [name for name in PLOTTING if name in sys.modules]
     return len(golden)
 
@@ -94,6 +99,28 @@ def check_commands() -> None:
     assert json.loads(printed(program, "schema"))["title"]
     wrong = command(program, "check", "midtrem")
     assert (wrong.returncode, wrong.stderr.count("\n")) == (1, 1), wrong.stderr
+
+
+def check_studio() -> None:
+    """Serve the page, and load it with all that it names."""
+    process = [sys.executable, "-m", "carom", "studio", "midterm", "--no-browser"]
+    with subprocess.Popen(process, stdout=subprocess.PIPE, text=True, encoding="utf-8") as served:
+        try:
+            assert served.stdout
+            address = served.stdout.readline().split()[-1].partition("#")[0]
+            page = loaded(address)
+            parts = re.findall(r'(?:src|href)="\./([^"]+)"', page)
+            assert len(parts) >= 2, page
+            assert all(loaded(address + part) for part in parts)
+        finally:
+            served.terminate()
+
+
+def loaded(address: str) -> str:
+    """Give what a server sends."""
+    directly = urllib.request.build_opener(urllib.request.ProxyHandler({}))
+    with directly.open(address, timeout=20) as answer:
+        return str(answer.read().decode("utf-8"))
 
 
 def check_extras() -> None:

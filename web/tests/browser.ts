@@ -43,7 +43,11 @@ export function useBrowser() {
 }
 
 /** Opens the page anew; what it throws or complains of fails the test. */
-export async function open(fragment = "", options: BrowserContextOptions = {}): Promise<Page> {
+export const open = (fragment = "", options: BrowserContextOptions = {}): Promise<Page> =>
+  openAddress(address + fragment, options);
+
+/** Opens any address in the same way. */
+export async function openAddress(where: string, options: BrowserContextOptions = {}): Promise<Page> {
   const context = await browser.newContext({
     locale: "en-GB",
     viewport: { width: 1280, height: 800 },
@@ -57,7 +61,7 @@ export async function open(fragment = "", options: BrowserContextOptions = {}): 
   page.on("console", (message) => {
     if (message.type() === "error") throw new Error(message.text());
   });
-  await page.goto(address + fragment);
+  await page.goto(where);
   return page;
 }
 

@@ -17,6 +17,7 @@ use pyo3::types::PyDict;
 use serde_json::json;
 
 type States<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>);
+type Course<'py> = (Bound<'py, PyArray1<u32>>, Bound<'py, PyArray2<f64>>);
 type Spins<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray2<i8>>);
 
 /// A computed run, with the scenario as it was run.
@@ -126,6 +127,14 @@ impl Run {
         let motions = states.iter().flatten().map(|state| state.motion as i8).collect();
         let motions: Bound<'py, PyArray1<i8>> = PyArray1::from_vec(py, motions);
         Ok((PyArray1::from_vec(py, spins).reshape([count, balls, 3])?, motions.reshape([count, balls])?))
+    }
+
+    /// The flights of each ball: the first row of each ball and after the last the number of rows, and the rows.
+    fn film<'py>(&self, py: Python<'py>) -> PyResult<Course<'py>> {
+        let film = with_any!(&self.run, run => run.film()).map_err(|error| query_error(&error))?;
+        let shape = [film.numbers.len() / film.width, film.width];
+        let rows = PyArray1::from_vec(py, film.numbers).reshape(shape)?;
+        Ok((PyArray1::from_vec(py, film.first_rows), rows))
     }
 
     /// The kinetic energy at some times.

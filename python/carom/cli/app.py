@@ -17,6 +17,7 @@ from carom.cli.map import map_
 from carom.cli.resume import resume
 from carom.cli.run import run
 from carom.cli.scenarios import scenarios, schema
+from carom.cli.studio import studio
 from carom.cli.sweep import sweep
 
 
@@ -105,6 +106,7 @@ EXAMPLES: dict[Callable[..., None], list[str]] = {
     verify: ["carom verify out/mine/run.json"],
     scenarios: ["carom scenarios", "carom scenarios --copy stadium stadium.toml"],
     schema: ["carom schema > carom.schema.json"],
+    studio: ["carom studio", "carom studio midterm", "carom studio my.toml --port 8000 --no-browser"],
     bench: ["carom bench midterm stadium", "carom bench midterm --repeats 21"],
 }
 

@@ -39,7 +39,9 @@ def scenario_card(scenario: Scenario) -> str:
 
 
 def run_card(run: Run) -> str:
-    """Give a run as a piece of HTML: its paths, or how it started where they were not kept, and how it ended."""
+    """Give a run as a piece of HTML: its paths, or its start where they were not kept; how it ended; and its player."""
+    from carom.studio.player import frame_or_reason
+
     scenario = run.scenario
     ax = _small_axes(scenario)
     from carom import figures
@@ -52,7 +54,10 @@ def run_card(run: Run) -> str:
         alt = f"The table from above with {counted(len(run.ball_ids), 'ball')} at the start."
     rows = [Row(row.name, f"{row.value} ({row.note})" if row.note else row.value) for row in facts(run)]
     rows += [Row("digest", run.digest)] if run.digest else []
-    return _card(f"Run of {scenario.title}" if scenario.title else "Run", verdict(run), rows, ax, alt)
+    frame, reason = frame_or_reason(run)
+    rows += [Row("player", reason)] if reason else []
+    head = f"Run of {scenario.title}" if scenario.title else "Run"
+    return f"{_card(head, verdict(run), rows, ax, alt)}{frame}\n"
 
 
 def table_card(table: ColumnTable, head: str) -> str:

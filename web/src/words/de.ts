@@ -456,6 +456,9 @@ export const de: Words = {
   status_event_limit: "Der Lauf endete bei {time}, wo sein Vorrat an Ereignissen verbraucht war.",
   status_interrupted: "Der Lauf wurde bei {time} abgebrochen.",
   status_miscue: "Die Pomeranze rutschte bei {time} ab: ein Fehlstoß.",
+
+  // A recorded run, played by itself
+  recordedRun: "Ein aufgezeichneter Lauf",
 };
 
 /** Title and a sentence for each ready-made scenario, by its name. */

@@ -445,6 +445,9 @@ export const en = {
   status_event_limit: "The run ended at {time}, where its budget of events was used up.",
   status_interrupted: "The run was broken off at {time}.",
   status_miscue: "The tip slipped off the ball at {time}: a miscue.",
+
+  // A recorded run, played by itself
+  recordedRun: "A recorded run",
 };
 
 export type Words = typeof en;
