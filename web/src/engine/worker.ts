@@ -49,11 +49,11 @@ const answers: { [Q in keyof Questions]: (asked: Questions[Q]["asked"], id: numb
   vocabulary: () => JSON.parse(vocabulary()),
   schema: () => JSON.parse(schema()),
   check: ({ text, format, values }) => {
-    const scenario = Scenario.parse(text, format);
+    const scenario = read(text, format);
     return described(values ? scenario.with_values(JSON.stringify(values)) : scenario);
   },
-  expanded: ({ json }) => described(Scenario.parse(json, "json").expanded()),
-  toml: ({ json }) => Scenario.parse(json, "json").to_toml(),
+  expanded: ({ json }) => described(read(json, "json").expanded()),
+  toml: ({ json }) => read(json, "json").to_toml(),
   run: ({ slot, json, until, mostEvents }, id) => computed(slot, json, until, mostEvents, id),
   cancel: ({ slot }) => {
     const id = underWay.get(slot);
@@ -69,10 +69,33 @@ const answers: { [Q in keyof Questions]: (asked: Questions[Q]["asked"], id: numb
   runJson: ({ slot }) => kept(slot).to_json(),
 };
 
+/** So many scenarios are kept as they were read. */
+const KEPT = 3;
+
+/** The scenarios that were asked about last, by their JSON texts: to read one of 10 000 balls takes most of a second. */
+const scenarios = new Map<string, Scenario>();
+
+function read(text: string, format: "toml" | "json"): Scenario {
+  if (format === "toml") return Scenario.parse(text, format);
+  const scenario = scenarios.get(text) ?? Scenario.parse(text, format);
+  keep(text, scenario);
+  return scenario;
+}
+
+function keep(text: string, scenario: Scenario) {
+  scenarios.delete(text);
+  scenarios.set(text, scenario);
+  if (scenarios.size <= KEPT) return;
+  const [oldest] = scenarios.keys();
+  if (oldest !== undefined) scenarios.delete(oldest);
+}
+
 function described(scenario: Scenario) {
   const drawing = JSON.parse(scenario.drawing());
   if (drawing.balls.length > MOST_BALLS) throw new TooManyBalls(drawing.balls.length);
-  return { json: scenario.to_json(), drawing };
+  const json = scenario.to_json();
+  keep(json, scenario);
+  return { json, drawing };
 }
 
 class TooManyBalls extends Error {
@@ -92,7 +115,7 @@ async function computed(slot: Slot, json: string, until: string | undefined, mos
   const earlier = underWay.get(slot);
   if (earlier !== undefined) cancelled.add(earlier);
   underWay.set(slot, id);
-  const scenario = Scenario.parse(json, "json");
+  const scenario = read(json, "json");
   const method = (JSON.parse(json) as { method?: { kind?: string } }).method?.kind ?? "exact";
   const { run, cutBy } = await (method === "exact"
     ? inSlices(scenario, until, mostEvents, id)

@@ -7,6 +7,8 @@ import { Events } from "./events/Events";
 import { Files } from "./files/Files";
 import { Graphs } from "./graphs/Graphs";
 import { RunPanel } from "./RunPanel";
+import { Balls } from "./setup/Balls";
+import { Setup } from "./setup/Setup";
 
 export interface Panel {
   id: string;
@@ -17,6 +19,8 @@ export interface Panel {
 }
 
 export const panels: Panel[] = [
+  { id: "setup", label: "setup", component: Setup },
+  { id: "balls", label: "balls", component: Balls },
   { id: "graphs", label: "graphs", component: Graphs },
   { id: "events", label: "events", component: Events },
   { id: "compare", label: "compare", component: Compare },

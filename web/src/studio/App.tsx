@@ -16,6 +16,7 @@ import type { Word } from "../words/en";
 import { described } from "./describe";
 import { isEmbedded } from "./embed";
 import { Gallery } from "./Gallery";
+import { History } from "./History";
 import { Icon } from "./Icon";
 import { isHelpShown, Shortcuts } from "./Shortcuts";
 import { closeScenario, endTime, notice, problems, run, scenario, written } from "./store";
@@ -81,6 +82,7 @@ function Header() {
         </button>
       )}
       <h1>{headline()}</h1>
+      {scenario.value && !lesson.value && <History />}
       <label class="language">
         <span class="unseen">{word("language")}</span>
         <select value={language.value} onChange={(event) => speak(event.currentTarget.value as Language)}>

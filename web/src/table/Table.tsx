@@ -7,8 +7,11 @@ import { drawing, run, scenario, time } from "../studio/store";
 import { isDark } from "../studio/theme";
 import { number, word } from "../words";
 import { ballColours, DARK, LIGHT, type Palette } from "./colours";
+import { DragReason } from "./DragReason";
+import { isDragOn, shownView, useDragging } from "./drag";
 import type { Body } from "./draw";
 import { onEachFrame } from "./frames";
+import { onTableKey, onTableKeyUp } from "./keys";
 import { layers } from "./layers";
 import { fitted, type View } from "./view";
 
@@ -46,6 +49,8 @@ export function Table() {
     return () => observer.disconnect();
   }, []);
 
+  useDragging(canvas);
+
   const drawn = drawing.value;
   const [width, height] = size.value;
   const palette = isDark.value ? DARK : LIGHT;
@@ -57,6 +62,7 @@ export function Table() {
     pen.canvas.width = Math.round(width * density);
     pen.canvas.height = Math.round(height * density);
     const scene = sceneOf(drawn, width, height, palette);
+    shownView.value = scene.view;
     pen.setTransform(density, 0, 0, density, 0, 0);
     return onEachFrame(() => {
       pen.clearRect(0, 0, width, height);
@@ -65,5 +71,19 @@ export function Table() {
   }, [drawn, width, height, palette, scenario.value]);
 
   const label = word("tableLabel", { balls: drawn?.balls.length ?? 0, time: number(time.value) });
-  return <canvas class="table" ref={canvas} role="img" aria-label={run.value ? label : ""} />;
+  return (
+    <div class="board">
+      <canvas
+        class="table"
+        ref={canvas}
+        aria-label={run.value ? label : ""}
+        {...(isDragOn.value
+          ? { role: "application", tabIndex: 0, "aria-describedby": "table-help" }
+          : { role: "img" })}
+        onKeyDown={onTableKey}
+        onKeyUp={onTableKeyUp}
+      />
+      <DragReason />
+    </div>
+  );
 }

@@ -8,16 +8,26 @@ export const options = signal({ trails: true, arrows: true, contacts: true, spin
 
 /** Arrows are as long as the way of so much time: the fastest ball gets this share of the table. */
 export const LONGEST_ARROW = 0.2;
+/** So long, in parts of the table's size, the longest arrow may become or remain before the scale is another one. */
+const [TOO_SHORT, TOO_LONG] = [0.05, 0.6];
 
-/** The time whose way arrows show: by the fastest ball of the start, or of the run where none moves at the start. */
+let kept = 0;
+
+/**
+ * The time whose way arrows show: by the fastest ball of the start, or of the run where none moves at the start. While speeds
+ * are changed the scale stays as long as it suits, so that an arrow keeps the length that it was dragged to.
+ */
 export const arrowSeconds = computed(() => {
   const drawn = drawing.value;
   if (!drawn) return 0;
+  const { size } = drawn.table;
   const speeds = drawn.balls.map(({ velocity }) => Math.hypot(...velocity));
   const atStart = speeds.reduce((most, speed) => Math.max(most, speed), 0);
   const film = run.value?.film;
   const fastest = atStart > 0 || !film ? atStart : fastestOf(film);
-  return fastest > 0 ? (LONGEST_ARROW * drawn.table.size) / fastest : 0.1;
+  const longest = (fastest * kept) / size;
+  if (fastest > 0 && !(longest >= TOO_SHORT && longest <= TOO_LONG)) kept = (LONGEST_ARROW * size) / fastest;
+  return kept || 0.1;
 });
 
 function fastestOf({ data: { numbers, width }, isOnCloth }: Film): number {
