@@ -15,7 +15,7 @@ beforeAll(async () => {
 async function fresh(name: string, panel: "Setup" | "Balls") {
   const gallery = page.getByRole("button", { name: "Gallery" });
   if ((await gallery.count()) > 0) await gallery.click();
-  await page.getByRole("button", { name, exact: true }).click();
+  await page.locator(`[data-scenario="${name}"]`).first().click();
   await page.getByRole("tab", { name: panel }).click();
 }
 

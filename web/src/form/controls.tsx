@@ -43,7 +43,7 @@ export function Row({ place, label, schema, onUnset, isGroup = false, children }
   const note = <Note place={place} schema={schema} isLeaf />;
   if (isGroup) {
     return (
-      <fieldset class="row" aria-describedby={noteOf(place)}>
+      <fieldset class="line" aria-describedby={noteOf(place)}>
         <legend>{label}</legend>
         {cell}
         {note}
@@ -51,7 +51,7 @@ export function Row({ place, label, schema, onUnset, isGroup = false, children }
     );
   }
   return (
-    <div class="row" title={explains.value ? "" : (schema.description ?? "")}>
+    <div class="line" title={explains.value ? "" : (schema.description ?? "")}>
       <label for={idOf(place)}>{label}</label>
       {cell}
       {note}

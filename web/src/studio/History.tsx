@@ -23,7 +23,7 @@ function HistoryButton(props: { name: "undo" | "redo"; isThere: boolean; onClick
   return (
     <button
       type="button"
-      class="icon"
+      class="icon quiet"
       title={word(name)}
       aria-label={word(name)}
       disabled={!isThere}

@@ -22,6 +22,7 @@ import {
   writtenBalls,
 } from "../../studio/balls";
 import { ballColours } from "../../table/colours";
+import { Dot } from "../../table/Dot";
 import { number, word } from "../../words";
 import { PlainBalls } from "./PlainBalls";
 
@@ -73,7 +74,7 @@ function List({ balls }: { balls: StartingBall[] }) {
   return (
     <>
       {balls.length > MANY && (
-        <label class="row">
+        <label class="line">
           {word("seekBall")}
           <input
             type="search"
@@ -107,12 +108,6 @@ function List({ balls }: { balls: StartingBall[] }) {
   );
 }
 
-const Dot = ({ colour }: { colour: string }) => (
-  <svg class="dot" viewBox="0 0 10 10" aria-hidden="true">
-    <circle cx="5" cy="5" r="4.5" fill={colour} />
-  </svg>
-);
-
 /** The keys of a ball that have fields as all others; on a cloth there are more. */
 const FIRST = ["radius", "mass", "color"];
 const ON_CLOTH = ["spin", "sliding_friction", "rolling_friction", "spin_decay"];
@@ -127,7 +122,7 @@ function Numbers({ ball, start }: { ball: number; start: StartingBall }) {
   const applies = { ...common, ...start, color: undefined, spin: start.spin?.map(tidyZero) };
   const isFlat = (valueAt(written.value, [...steps, "velocity"]) as number[] | undefined)?.length !== 3;
   return (
-    <section class="numbers" aria-label={word("ballTitle", { id: start.id })}>
+    <section class="ball" aria-label={word("ballTitle", { id: start.id })}>
       <h2>{word("ballTitle", { id: start.id })}</h2>
       <Named steps={steps} start={start} schema={part.properties?.["id"] ?? {}} />
       <Field
