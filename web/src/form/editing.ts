@@ -30,7 +30,8 @@ effect(() => {
   const json = scenario.value?.json;
   refusals.value = {};
   effective.value = {};
-  if (!json || !hasPreset.value) return;
+  // Where there are no forms, nothing is asked.
+  if (!json || !schema.value || !hasPreset.value) return;
   void engine.ask("expanded", { json }).then(
     ({ json: expanded }) => {
       if (scenario.peek()?.json === json) effective.value = JSON.parse(expanded);

@@ -11,6 +11,7 @@ import { DragReason } from "./DragReason";
 import { isDragOn, shownView, useDragging } from "./drag";
 import type { Body } from "./draw";
 import { onEachFrame } from "./frames";
+import { handles } from "./handles";
 import { onTableKey, onTableKeyUp } from "./keys";
 import { layers } from "./layers";
 import { fitted, type View } from "./view";
@@ -66,7 +67,7 @@ export function Table() {
     pen.setTransform(density, 0, 0, density, 0, 0);
     return onEachFrame(() => {
       pen.clearRect(0, 0, width, height);
-      for (const layer of layers) layer(pen, scene);
+      for (const layer of [...layers, handles]) layer(pen, scene);
     });
   }, [drawn, width, height, palette, scenario.value]);
 

@@ -8,7 +8,6 @@ import { drawing } from "../studio/store";
 import { balls } from "./balls";
 import { contacts } from "./contacts";
 import { drawArrow, drawTable, type Pen } from "./draw";
-import { handles } from "./handles";
 import { now } from "./moment";
 import { arrowSeconds, options } from "./options";
 import { spin } from "./spin";
@@ -59,5 +58,4 @@ export const layers: Layer[] = [
   besideLessons(partingPlace),
   besideLessons(ownTrajectory),
   lessonDirections,
-  besideLessons(handles),
 ];
