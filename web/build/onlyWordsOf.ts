@@ -29,14 +29,14 @@ export function onlyWordsOf(entry: string): Plugin {
   };
 }
 
-/** The texts of a module and of those that it imports in turn, the words themselves apart. */
+/** The texts of a module and of those that it imports in turn for more than types, the words themselves apart. */
 function sourcesOf(entry: string): string[] {
   const [waiting, texts] = [[entry], new Map<string, string>()];
   for (let file = waiting.pop(); file; file = waiting.pop()) {
     if (texts.has(file)) continue;
     const text = readFileSync(file, "utf-8");
     texts.set(file, text);
-    for (const [, path] of text.matchAll(/(?:from|import) "(\.[^"]+)"/g)) {
+    for (const [, path] of text.matchAll(/^(?:import|export) (?!type )[^"]*?"(\.[^"]+)"/gm)) {
       const place = join(dirname(file), path as string);
       const found = [`${place}.ts`, `${place}.tsx`, `${place}/index.ts`].find(existsSync);
       if (found && !/\/words\/(en|de)\.ts$/.test(found)) waiting.push(found);
