@@ -31,8 +31,6 @@ else:
     from carom import arrays as np
 
 MOST_TIMES = 1e8
-MOTION = ("position", "velocity", "spin", "speed", "direction_deg")
-"""The keys of a ball that say where it is and how it moves."""
 
 
 @dataclass(frozen=True)
@@ -354,33 +352,7 @@ class Run:
         ScenarioError
             When no ball is left.
         """
-        values = self.scenario.to_dict()
-        expanded = self.scenario.expanded().to_dict()
-        balls = {ball["id"]: ball for ball in expanded["balls"]}
-        motions = self._motions_at_end()
-        for axis, side in (("x", "width"), ("y", "length")):
-            if axis in expanded["table"].get("periodic", ()):
-                for motion in motions.values():
-                    motion["position"]["xy".index(axis)] %= expanded["table"][side]
-        rows = [{**_unmoved(balls[name]), **motion} for name, motion in motions.items()]
-        values = expanded if "gas" in values else values
-        rest = {key: value for key, value in values.items() if key not in ("rack", "shot", "balls")}
-        return Scenario.from_dict({**rest, "balls": rows})
-
-    def _motions_at_end(self) -> dict[str, dict[str, Any]]:
-        """Give the place of each ball that is in play at the end, and how it moves if it does, by its id."""
-        place, velocity = self.states(self.end_time)
-        moving: dict[str, NDArray[np.float64]] = {"velocity": velocity}
-        heights = np.zeros(len(self.ball_ids), dtype=bool)
-        if self.is_on_cloth:
-            moving["spin"] = self.spins(self.end_time)
-            heights = self.motion(self.end_time) == "airborne"
-        found: dict[str, dict[str, Any]] = {}
-        for ball, name in enumerate(self.ball_ids):
-            if np.isfinite(place[ball]).all():
-                found[name] = {"position": place[ball] if heights[ball] else place[ball, :2]}
-                found[name] |= {key: vectors[ball] for key, vectors in moving.items() if vectors[ball].any()}
-        return found
+        return Scenario._of(self._native.final_scenario())
 
     def next(self, shot: Shot | Mapping[str, Any] | None = None, **keys: Any) -> Run:
         """Run the next shot, from where the balls lie: the same as ``final_scenario().with_shot(shot).run()``.
@@ -601,11 +573,6 @@ def load_run(path: str | os.PathLike[str]) -> Run:
         return _from_json(text)
     except RunError as error:
         raise RunError(f"{path}: {error}") from None
-
-
-def _unmoved(ball: Mapping[str, Any]) -> dict[str, Any]:
-    """Give a ball without its place and its motion."""
-    return {key: value for key, value in ball.items() if key not in MOTION}
 
 
 def _outcome(text: str) -> str:

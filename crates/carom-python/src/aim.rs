@@ -54,8 +54,7 @@ pub fn open_pot(scenario: &Scenario, ball: &str, pocket: &str, cue_ball: Option<
 #[pyfunction]
 pub fn obstructions(scenario: &Scenario) -> PyResult<String> {
     let found = aim::obstructions(scenario.inner()).map_err(aim_problem)?;
-    let row = |found: &aim::Obstruction| json!({ "kind": found.kind, "id": found.id, "clear_from_deg": found.clear_from_deg });
-    Ok(found.iter().map(row).collect::<Value>().to_string())
+    Ok(json!(found).to_string())
 }
 
 /// The least elevation at which the stick of the shot clears everything.

@@ -96,6 +96,11 @@ impl Run {
         Scenario::new(self.scenario.clone())
     }
 
+    /// The scenario that goes on from the end of the run, without a shot.
+    fn final_scenario(&self) -> PyResult<Scenario> {
+        simulate::final_scenario(&self.scenario, &self.run).map(Scenario::new).map_err(scenario_error)
+    }
+
     /// The event columns; balls, cushions, pockets and kinds as codes, with −1 for none.
     fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         with_any!(&self.run, run => {

@@ -1,9 +1,10 @@
 //! Runs.
 
-use crate::errors::{file_error, problem, query_error};
+use crate::errors::{file_error, problem, query_error, scenario_error};
+use crate::scenario::Scenario;
 use carom::run::{Digest, Event, Film, Kind, to_json};
 use carom::scenario::Scenario as Checked;
-use carom::simulate::AnyRun;
+use carom::simulate::{self, AnyRun};
 use carom::with_any;
 use js_sys::{Array, Float64Array, Int32Array, Object, Reflect, Uint32Array};
 use serde_json::json;
@@ -97,6 +98,12 @@ impl Run {
             });
         }
         Ok(rows)
+    }
+
+    /// The scenario that goes on from the end of the run, without a shot.
+    pub fn final_scenario(&self) -> Result<Scenario, JsValue> {
+        let found = simulate::final_scenario(&self.scenario, &self.run);
+        found.map(Scenario::new).map_err(|error| scenario_error(&error))
     }
 
     /// The run as JSON text, as `carom.load_run` reads it.

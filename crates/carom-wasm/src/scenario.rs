@@ -1,6 +1,7 @@
 //! Scenarios.
 
 use crate::errors::{problem, scenario_error};
+use carom::aim;
 use carom::scenario::{self, ScenarioError, value_of_toml};
 use serde_json::{Map, Value, json};
 use wasm_bindgen::prelude::*;
@@ -54,11 +55,18 @@ impl Scenario {
         Self(self.0.expanded().into_owned())
     }
 
-    /// What there is to draw, as JSON text: table, balls at the start, units, and whether the balls roll on a cloth.
+    /// What the stick of the shot meets where it strikes, as JSON text.
+    pub fn obstructions(&self) -> Result<String, JsValue> {
+        let found = aim::obstructions(&self.0);
+        found.map(|found| json!(found).to_string()).map_err(|error| scenario_error(&error.into()))
+    }
+
+    /// What there is to draw, as JSON text: table, balls at the start, cue, units, and whether the balls roll on a cloth.
     pub fn drawing(&self) -> String {
         json!({
             "table": self.0.outline(),
             "balls": self.0.balls_at_start(),
+            "cue": self.0.cue_to_draw(),
             "units": self.0.unit_names(),
             "isOnCloth": self.0.has_cloth(),
         })

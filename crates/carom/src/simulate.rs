@@ -1,6 +1,7 @@
 //! From a scenario to a run, by the method that the scenario names.
 
 mod any;
+mod final_scenario;
 mod observed;
 mod verify;
 
@@ -12,6 +13,7 @@ use crate::scenario::schema::{Method, Record};
 use crate::scenario::{Scenario, ScenarioError, System};
 use crate::stepped::{self, Ends, Readings};
 pub use any::{Any, AnyRun, AnySimulation};
+pub use final_scenario::final_scenario;
 pub use observed::{
     COLLISIONS_PER_SAMPLE, Checkpoint, CheckpointError, ObservedError, ObservedRun, Pause, Plan, Progress,
     Sampling, Snapshots, Window, simulate_observed,

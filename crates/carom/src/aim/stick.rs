@@ -12,6 +12,7 @@ use crate::law::cue_ball::Strike;
 use crate::model::Outline;
 use crate::scalar::{Scalar, angle_deg, direction};
 use crate::scenario::{CueStart, Problem, Scenario, ShotStart};
+use serde::Serialize;
 
 /// How finely the stick is gone along, over its length.
 const RESOLUTION: f64 = 1e-6;
@@ -20,7 +21,7 @@ const RESOLUTION: f64 = 1e-6;
 const HALVINGS: u32 = 60;
 
 /// Something that the stick meets.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Obstruction {
     /// What it is: `ball`, `cushion` or `cloth`.
     pub kind: &'static str,

@@ -35,6 +35,39 @@ impl Scenario {
         };
         scenario.balls.iter().enumerate().map(ball).collect()
     }
+
+    /// The cue as a JSON value: its measures and the offset of the contact, over the ball's radius, up to which the tip holds;
+    /// and the shot, if there is one, with the place of its ball in the list. Null where there is no cloth.
+    pub fn cue_to_draw(&self) -> Value {
+        let scenario = self.expanded();
+        if !scenario.physics.has_cloth() {
+            return Value::Null;
+        }
+        let cue = scenario.cue.start::<f64>(&mut |_, value| value);
+        json!({
+            "tip_radius": cue.tip_radius,
+            "miscue_offset": cue.miscue_offset,
+            "length": cue.length,
+            "shaft_radius": cue.shaft_radius,
+            "butt_radius": cue.butt_radius,
+            "shot": scenario.shot_to_draw(cue.tip_radius),
+        })
+    }
+
+    fn shot_to_draw(&self, tip_radius: f64) -> Option<Value> {
+        let (shot, start) = (self.shot.as_ref()?, self.shot_start::<f64>(&mut |_, value| value)?);
+        let ball = &self.balls[start.ball];
+        let radius = ball.start::<f64>(start.ball, &self.ball_defaults, &mut |_, value| value).radius;
+        Some(json!({
+            "ball": start.ball,
+            "speed": start.speed,
+            "direction": point(start.direction),
+            "elevation": start.elevation,
+            "left": start.left,
+            "top": start.top,
+            "offset_scale": shot.offset_scale(tip_radius, radius),
+        }))
+    }
 }
 
 fn table(written: &schema::Table) -> Value {

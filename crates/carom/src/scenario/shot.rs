@@ -97,12 +97,17 @@ impl Shot {
         either(("b", self.b), ("top", self.top))
     }
 
-    /// The offsets (left, top) of the point of contact over the radius, with a tip and a ball of these radii.
-    pub(super) fn offsets<S: Scalar>(&self, tip_radius: S, radius: S, number: Number<'_, S>) -> (S, S) {
-        let scale = match self.offset_of {
+    /// What an offset as it is written is taken times, to be that of the point of contact.
+    pub(super) fn offset_scale<S: Scalar>(&self, tip_radius: S, radius: S) -> S {
+        match self.offset_of {
             OffsetOf::Contact => S::ONE,
             OffsetOf::TipCenter => radius / (radius + tip_radius),
-        };
+        }
+    }
+
+    /// The offsets (left, top) of the point of contact over the radius, with a tip and a ball of these radii.
+    pub(super) fn offsets<S: Scalar>(&self, tip_radius: S, radius: S, number: Number<'_, S>) -> (S, S) {
+        let scale = self.offset_scale(tip_radius, radius);
         (entered(self.side(), number) * scale, entered(self.height(), number) * scale)
     }
 }

@@ -32,6 +32,7 @@ mod dual;
 mod extremes;
 mod fast_path;
 mod film;
+mod final_scenario;
 mod grid;
 mod heaps;
 mod hertz;
