@@ -28,10 +28,40 @@ export interface StartingBall {
   color: string | number[] | null;
 }
 
+/** A cue, and the shot it makes, if there is one; see `crates/carom/src/scenario/outline.rs`. */
+export interface CueDrawn {
+  tip_radius: number;
+  /** The offset of the contact, over the ball's radius, up to which the tip holds. */
+  miscue_offset: number;
+  length: number;
+  shaft_radius: number;
+  butt_radius: number;
+  shot: {
+    ball: number;
+    speed: number;
+    direction: Point;
+    /** Cosine and sine. */
+    elevation: [number, number];
+    /** Offsets of the contact over the ball's radius, and what those that are written are taken times. */
+    left: number;
+    top: number;
+    offset_scale: number;
+  } | null;
+}
+
+/** Something that the stick meets, and the elevation from which it clears that, if any. */
+export interface Obstruction {
+  kind: "ball" | "cushion" | "cloth";
+  id: string | null;
+  clear_from_deg: number | null;
+}
+
 /** What there is to draw of a scenario. */
 export interface Drawing {
   table: Outline;
   balls: StartingBall[];
+  /** Null where there is no cloth. */
+  cue: CueDrawn | null;
   units: Record<string, string>;
   isOnCloth: boolean;
 }
@@ -126,6 +156,8 @@ export interface Questions {
   /** Ends a run where it is; what there is of it is its answer. */
   stop: { asked: { slot: Slot }; answer: null };
   totals: { asked: { slot: Slot; times: Float64Array }; answer: Float64Array };
+  obstructions: { asked: { json: string }; answer: Obstruction[] };
+  finalScenario: { asked: { slot: Slot }; answer: string };
   runJson: { asked: { slot: Slot }; answer: string };
 }
 

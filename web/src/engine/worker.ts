@@ -66,6 +66,8 @@ const answers: { [Q in keyof Questions]: (asked: Questions[Q]["asked"], id: numb
     return null;
   },
   totals: ({ slot, times }) => kept(slot).totals(times),
+  obstructions: ({ json }) => JSON.parse(read(json, "json").obstructions()),
+  finalScenario: ({ slot }) => kept(slot).final_scenario().to_json(),
   runJson: ({ slot }) => kept(slot).to_json(),
 };
 

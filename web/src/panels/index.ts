@@ -1,8 +1,10 @@
 /** The panels beside the table, in the order of their tabs. A new one is a file and a line here. */
 
 import type { ComponentType } from "preact";
+import { drawing } from "../studio/store";
 import type { Word } from "../words/en";
 import { Compare } from "./compare/Compare";
+import { Cue } from "./cue/Cue";
 import { Events } from "./events/Events";
 import { Files } from "./files/Files";
 import { Graphs } from "./graphs/Graphs";
@@ -19,6 +21,7 @@ export interface Panel {
 }
 
 export const panels: Panel[] = [
+  { id: "cue", label: "cue", component: Cue, isShown: () => drawing.value?.isOnCloth ?? false },
   { id: "setup", label: "setup", component: Setup },
   { id: "balls", label: "balls", component: Balls },
   { id: "graphs", label: "graphs", component: Graphs },

@@ -107,13 +107,16 @@ export async function openText(
   });
 }
 
-/** Puts values into the scenario; says whether that is one. The problems are told if not, and nothing changes. */
-export async function change(values: Values): Promise<boolean> {
+/**
+ * Puts values into the scenario; says whether that is one. The problems are told if not, and nothing changes. A change
+ * that goes on with the one before is taken back together with it.
+ */
+export async function change(values: Values, goesOn = false): Promise<boolean> {
   const before = scenario.peek();
   if (!before) return false;
   return settled(async () => {
     const checked = await engine.ask("check", { text: before.json, format: "json", values });
-    past.value = [...past.peek(), before];
+    if (!goesOn) past.value = [...past.peek(), before];
     future.value = [];
     await put({ ...checked, name: before.name }, false);
   });

@@ -4,6 +4,8 @@ import { lessonBalls, lessonDirections } from "../lessons/layer";
 import { lesson } from "../lessons/state";
 import { ownTrajectory } from "../own/layer";
 import { otherRun, partingPlace } from "../panels/compare/layer";
+import { aimLine, stick } from "../panels/cue/layer";
+import { isAiming } from "../panels/cue/state";
 import { drawing } from "../studio/store";
 import { balls } from "./balls";
 import { contacts } from "./contacts";
@@ -46,16 +48,25 @@ const besideLessons =
     if (!lesson.value) layer(pen, scene);
   };
 
+/** A stroke that is not made yet has moved nothing. */
+const unlessAiming =
+  (layer: Layer): Layer =>
+  (pen, scene) => {
+    if (!isAiming.value) layer(pen, scene);
+  };
+
 export const layers: Layer[] = [
   ground,
   trails,
   contacts,
   lessonBalls,
+  besideLessons(aimLine),
   balls,
   besideLessons(otherRun),
-  arrows,
-  spin,
+  unlessAiming(arrows),
+  unlessAiming(spin),
   besideLessons(partingPlace),
   besideLessons(ownTrajectory),
   lessonDirections,
+  besideLessons(stick),
 ];
