@@ -30,7 +30,14 @@ export function putOnTable(text: string) {
     vocabulary.value = { version, physics_version: physicsVersion, kinds, motions, presets: [] };
     scenario.value = { json: written.scenario, drawing, name: null };
     runs.value = {
-      main: { summary, film: filmOf(written.film), events: eventsOf(written), isCut: false, cutBy: null, isWhole: true },
+      main: {
+        summary,
+        film: filmOf(written.film),
+        events: eventsOf(written),
+        isCut: false,
+        cutBy: null,
+        isWhole: true,
+      },
     };
     speed.value = speedOf(summary.endTime);
   });

@@ -3,7 +3,6 @@
 import { signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { CutBy } from "../engine/protocol";
-import { Lesson } from "../lessons/Lesson";
 import { closeLesson, lesson } from "../lessons/state";
 import { panels } from "../panels";
 import { DropHint } from "../sharing/DropHint";
@@ -18,10 +17,13 @@ import { isEmbedded } from "./embed";
 import { Gallery } from "./Gallery";
 import { History } from "./History";
 import { Icon } from "./Icon";
+import { later } from "./later";
 import { isHelpShown, Shortcuts } from "./Shortcuts";
 import { closeScenario, endTime, notice, problems, run, scenario, written } from "./store";
 import { Transport } from "./Transport";
 import { toggleTheme } from "./theme";
+
+const Lesson = later(async () => (await import("../lessons/Lesson")).Lesson);
 
 /** The panel that is open, by its id. */
 export const openPanel = signal(panels[0]?.id ?? "");
