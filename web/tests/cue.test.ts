@@ -101,4 +101,6 @@ test("dragging on the table turns the aim, and a click points it", async () => {
   expect(turned).toBeLessThan(350);
   await page.mouse.click(...at(0.5, 0.1));
   expect(await direction.inputValue()).toBe("90");
+  await page.locator("canvas.table").press("ArrowLeft");
+  expect(await direction.inputValue()).toBe("90.5");
 });

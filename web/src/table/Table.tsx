@@ -3,9 +3,11 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Drawing } from "../engine/protocol";
+import { aimLine, stick } from "../panels/cue/layer";
 import { drawing, run, scenario, time } from "../studio/store";
 import { isDark } from "../studio/theme";
 import { number, word } from "../words";
+import { balls } from "./balls";
 import { ballColours, DARK, LIGHT, type Palette } from "./colours";
 import { DragReason } from "./DragReason";
 import { isDragOn, shownView, useDragging } from "./drag";
@@ -13,7 +15,7 @@ import type { Body } from "./draw";
 import { onEachFrame } from "./frames";
 import { handles } from "./handles";
 import { onTableKey, onTableKeyUp } from "./keys";
-import { layers } from "./layers";
+import { type Layer, layers } from "./layers";
 import { fitted, type View } from "./view";
 
 /** Pixels around the table. */
@@ -35,6 +37,13 @@ export function sceneOf(drawn: Drawing, width: number, height: number, palette: 
     palette,
   };
 }
+
+/** The layers of a table on which balls are dragged and strokes aimed. */
+const layersToSet = (): Layer[] => [
+  ...layers.flatMap((layer) => (layer === balls ? [aimLine, balls] : [layer])),
+  handles,
+  stick,
+];
 
 export function Table() {
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -67,7 +76,7 @@ export function Table() {
     pen.setTransform(density, 0, 0, density, 0, 0);
     return onEachFrame(() => {
       pen.clearRect(0, 0, width, height);
-      for (const layer of [...layers, handles]) layer(pen, scene);
+      for (const layer of layersToSet()) layer(pen, scene);
     });
   }, [drawn, width, height, palette, scenario.value]);
 

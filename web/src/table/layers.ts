@@ -4,14 +4,12 @@ import { lessonBalls, lessonDirections } from "../lessons/layer";
 import { lesson } from "../lessons/state";
 import { ownTrajectory } from "../own/layer";
 import { otherRun, partingPlace } from "../panels/compare/layer";
-import { aimLine, stick } from "../panels/cue/layer";
-import { isAiming } from "../panels/cue/state";
 import { drawing } from "../studio/store";
 import { balls } from "./balls";
 import { contacts } from "./contacts";
 import { drawArrow, drawTable, type Pen } from "./draw";
 import { now } from "./moment";
-import { arrowSeconds, options } from "./options";
+import { arrowSeconds, isAhead, options } from "./options";
 import { spin } from "./spin";
 import type { Scene } from "./Table";
 import { trails } from "./trails";
@@ -49,10 +47,10 @@ const besideLessons =
   };
 
 /** A stroke that is not made yet has moved nothing. */
-const unlessAiming =
+const unlessAhead =
   (layer: Layer): Layer =>
   (pen, scene) => {
-    if (!isAiming.value) layer(pen, scene);
+    if (!isAhead.value) layer(pen, scene);
   };
 
 export const layers: Layer[] = [
@@ -60,13 +58,11 @@ export const layers: Layer[] = [
   trails,
   contacts,
   lessonBalls,
-  besideLessons(aimLine),
   balls,
   besideLessons(otherRun),
-  unlessAiming(arrows),
-  unlessAiming(spin),
+  unlessAhead(arrows),
+  unlessAhead(spin),
   besideLessons(partingPlace),
   besideLessons(ownTrajectory),
   lessonDirections,
-  besideLessons(stick),
 ];

@@ -6,6 +6,9 @@ import { drawing, run } from "../studio/store";
 
 export const options = signal({ trails: true, arrows: true, contacts: true, spin: true, ids: true });
 
+/** Whether the table shows what would come of a stroke in place of how the balls move. */
+export const isAhead = signal(false);
+
 /** Arrows are as long as the way of so much time: the fastest ball gets this share of the table. */
 export const LONGEST_ARROW = 0.2;
 /** So long, in parts of the table's size, the longest arrow may become or remain before the scale is another one. */

@@ -12,7 +12,8 @@ fn rest_of(scenario: &Scenario) -> Scenario {
 
 #[test]
 fn balls_in_play_lie_where_they_came_to_rest_and_the_others_are_gone() {
-    let scenario = bundled("nine_ball_break");
+    let text = include_str!("../../../../scenarios/nine_ball_break.toml");
+    let scenario = Scenario::from_toml(text).unwrap();
     let rest = rest_of(&scenario);
     let ids: Vec<&str> = rest.balls.iter().map(|ball| ball.id.as_str()).collect();
     assert!(ids.contains(&"cue") && ids.contains(&"1") && !ids.contains(&"9"), "{ids:?}");

@@ -1,7 +1,8 @@
 /** Aiming on the table: dragging turns the stroke about the cue ball, a click points it at a place. */
 
 import type { Point } from "../../engine/protocol";
-import { isDragOn, shownView } from "../../table/drag";
+import { chosen } from "../../studio/store";
+import { shownView } from "../../table/drag";
 import { aim, commit, forecast, isAiming, stroke } from "./state";
 import { degrees, turned } from "./stroke";
 
@@ -29,17 +30,19 @@ const FINE_STEP = 0.01;
  */
 export function aimOn(canvas: HTMLCanvasElement): () => void {
   const ends = new AbortController();
+  // Before those who drag balls hear of it.
   const on = <K extends keyof HTMLElementEventMap>(name: K, then: (event: HTMLElementEventMap[K]) => void) =>
     canvas.addEventListener(name, then as EventListener, { signal: ends.signal, capture: true });
   let hold: Hold | null = null;
   on("pointerdown", (event) => {
-    isDragOn.value = isOnBall(event);
-    hold = isDragOn.peek() ? null : grasped(event);
-    if (hold) canvas.setPointerCapture(event.pointerId);
+    hold = grasped(event);
+    if (!hold) return;
+    canvas.setPointerCapture(event.pointerId);
+    event.stopImmediatePropagation();
   });
   on("pointermove", (event) => {
     if (hold?.pointer === event.pointerId) hold = follow(hold, event);
-    else if (event.buttons === 0) isDragOn.value = isOnBall(event);
+    canvas.classList.toggle("aiming", isAiming.peek() && (hold !== null || !isOnBall(event)));
   });
   on("pointerup", (event) => {
     if (hold?.pointer !== event.pointerId) return;
@@ -51,27 +54,26 @@ export function aimOn(canvas: HTMLCanvasElement): () => void {
     hold = null;
   });
   on("keydown", turnByKey);
-  isDragOn.value = false;
-  canvas.classList.add("aiming");
   return () => {
     ends.abort();
-    isDragOn.value = true;
     canvas.classList.remove("aiming");
   };
 }
 
 function grasped(event: PointerEvent): Hold | null {
   const now = stroke.peek();
-  if (!isAiming.peek() || !now || !event.isPrimary || event.button !== 0) return null;
+  if (!isAiming.peek() || !now || !event.isPrimary || event.button !== 0 || isOnBall(event)) return null;
   const from: Point = [event.offsetX, event.offsetY];
   const { direction } = now;
   return { pointer: event.pointerId, from, at: directionOf(event), direction, isTurning: false };
 }
 
+/** The arrow keys turn the stroke unless a ball is chosen, which they move. */
 function turnByKey(event: KeyboardEvent) {
   const turn = { ArrowLeft: 1, ArrowRight: -1 }[event.key];
   const now = stroke.peek();
-  if (!turn || !now || !isAiming.peek() || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (!turn || !now || !isAiming.peek() || chosen.peek() !== null) return;
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
   event.preventDefault();
   event.stopImmediatePropagation();
   aim({ direction: turned(now.direction + turn * (event.shiftKey ? FINE_STEP : STEP)) });
@@ -104,5 +106,5 @@ function directionOf({ offsetX, offsetY }: PointerEvent): number {
 /** The struck ball itself gives no direction. */
 function isOnBall({ offsetX, offsetY }: PointerEvent): boolean {
   const ball = ballOnCanvas();
-  return isAiming.peek() && ball !== null && Math.hypot(offsetX - ball.x, offsetY - ball.y) <= ball.radius;
+  return ball !== null && Math.hypot(offsetX - ball.x, offsetY - ball.y) <= ball.radius;
 }

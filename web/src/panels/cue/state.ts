@@ -17,6 +17,7 @@ import {
   vocabulary,
   written,
 } from "../../studio/store";
+import { isAhead } from "../../table/options";
 import { freshStroke, type Shot, type Stroke, shotOf, strokeOf } from "./stroke";
 
 /** Milliseconds after which an aim that is left alone becomes part of the scenario. */
@@ -50,6 +51,10 @@ export const prediction = signal<Prediction | null>(null);
 
 /** Whether the table shows where the stroke would go. */
 export const isAiming = computed(() => isOpen.value && time.value === 0 && !isPlaying.value);
+
+effect(() => {
+  isAhead.value = isAiming.value;
+});
 
 /** The first contact of the struck ball with another, as it is predicted. */
 export interface Contact {
