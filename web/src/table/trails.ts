@@ -13,7 +13,7 @@ import type { View } from "./view";
 /** So many points at most lie on a curved flight. */
 const BEND = 12;
 /** So many flights of all balls together have a trail, at least; twice as many at most. */
-const FLIGHTS = 800;
+const FLIGHTS = 400;
 /** From so many balls on there are no trails. */
 const MANY = 60;
 const ALPHA = 0.65;

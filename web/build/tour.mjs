@@ -1,0 +1,87 @@
+/**
+ * Takes the pictures of the studio for the docs: `make tour` writes them into docs/images/.
+ */
+
+import { readFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import { extname, join, normalize } from "node:path";
+import { chromium } from "playwright-core";
+
+const HERE = import.meta.dirname;
+const DIST = join(HERE, "../dist");
+const IMAGES = join(HERE, "../../docs/images");
+const TYPES = {
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".css": "text/css",
+  ".wasm": "application/wasm",
+};
+const DESK = { width: 1280, height: 800 };
+
+const server = createServer(async (request, response) => {
+  const path = normalize(new URL(request.url, "http://page").pathname);
+  const file = join(DIST, path === "/" ? "index.html" : path);
+  const body = await readFile(file).catch(() => null);
+  response.writeHead(body ? 200 : 404, {
+    "content-type": TYPES[extname(file)] ?? "application/octet-stream",
+  });
+  response.end(body);
+});
+await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+const address = `http://127.0.0.1:${server.address().port}/`;
+const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu"] });
+
+const seek = async (page, part) => {
+  await page.locator(".transport .line input").fill(String(Math.round(part * 10_000)));
+};
+
+/** Each view: its name, the scenario, and what is done before the picture is taken. */
+const views = [
+  ["gallery", "", async () => {}],
+  [
+    "events",
+    "#midterm",
+    async (page) => {
+      await page.getByRole("tab", { name: "Events" }).click();
+      for (let k = 0; k < 4; k++) await page.getByRole("button", { name: "Next event" }).click();
+    },
+  ],
+  [
+    "graphs",
+    "#midterm",
+    async (page) => {
+      await page.getByRole("tab", { name: "Graphs" }).click();
+      await seek(page, 0.35);
+    },
+  ],
+  [
+    "compare",
+    "#midterm",
+    async (page) => {
+      await page.getByRole("tab", { name: "Compare" }).click();
+      await page.getByLabel("The same in time steps").check();
+      await seek(page, 0.3);
+    },
+  ],
+  ["setup", "#sinai", async (page) => page.getByRole("tab", { name: "Setup" }).click()],
+  ["cue", "#nine_ball_break", async (page) => page.getByRole("tab", { name: "Cue" }).click()],
+  ["gas", "#fifty_random", async (page) => seek(page, 0.4)],
+  ["lesson", "#lesson=pi", async () => {}],
+  ["phone", "#two_ball_shot", async (page) => seek(page, 0.5), { width: 390, height: 844 }, "dark"],
+];
+
+const chosen = process.argv.slice(2);
+for (const [name, fragment, prepare, viewport = DESK, colorScheme = "light"] of views) {
+  if (chosen.length > 0 && !chosen.includes(name)) continue;
+  const page = await browser.newPage({ viewport, colorScheme, locale: "en-GB" });
+  page.setDefaultTimeout(8000);
+  await page.goto(address + fragment);
+  await page.waitForTimeout(1500);
+  await prepare(page);
+  await page.waitForTimeout(800);
+  await page.screenshot({ path: join(IMAGES, `studio-${name}.png`) });
+  await page.close();
+}
+await browser.close();
+server.close();
