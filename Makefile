@@ -22,7 +22,7 @@ PACKAGED := python/carom/studio/page/index.html
 node_is_new = node -e 'const [a, b] = process.versions.node.split("."); process.exit(a < 20 || (a == 20 && b < 19) ? 1 : 0)'
 HAS_NODE := $(shell $(node_is_new) 2>/dev/null && echo yes)
 
-.PHONY: help build run page package-page studio both test-page check-engine test test-rust test-python lint lint-rust lint-python format docs licences
+.PHONY: help build run page package-page studio both tour test-page check-engine test test-rust test-python lint lint-rust lint-python format docs licences
 .PHONY: pictures third-party bench bench-gas bench-pooltool campaign campaign-gas digests checkpoint wheel wheel-check floors clean
 
 help: ## List these commands
@@ -47,6 +47,10 @@ test-page: page ## Run the page's tests in Chromium, and check its format, lints
 	@$(need_chromium)
 	cd web && npm run --silent check
 	cd web && npm run --silent test
+
+tour: page ## Take the pictures of the studio for the docs anew
+	@$(need_chromium)
+	cd web && node build/tour.mjs
 
 check-engine: ## Check the engine while you work on it: format, lints, laws, scenarios, digests
 	@$(need_rust)

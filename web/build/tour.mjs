@@ -66,7 +66,6 @@ const views = [
   ],
   ["setup", "#sinai", async (page) => page.getByRole("tab", { name: "Setup" }).click()],
   ["cue", "#nine_ball_break", async (page) => page.getByRole("tab", { name: "Cue" }).click()],
-  ["gas", "#fifty_random", async (page) => seek(page, 0.4)],
   ["lesson", "#lesson=pi", async () => {}],
   ["phone", "#two_ball_shot", async (page) => seek(page, 0.5), { width: 390, height: 844 }, "dark"],
 ];
