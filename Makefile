@@ -224,10 +224,10 @@ $(PAGE_ENGINE): $(BINDGEN) $(RUST) Cargo.toml Cargo.lock
 	$(CARGO) build --locked --profile page -p carom-wasm --target wasm32-unknown-unknown
 	$(BINDGEN) target/wasm32-unknown-unknown/page/carom_wasm.wasm --target web --omit-default-module-path --out-dir web/engine
 
-# A tool of an unoptimised build is there much sooner, and fast enough.
+# An unoptimised build is there much sooner, and fast enough. Not --locked: registries that lag behind lack what it was locked to.
 $(BINDGEN):
 	@$(need_rust)
-	$(CARGO) install --quiet --locked --debug --root target/wasm-bindgen-$(BINDGEN_VERSION) --version $(BINDGEN_VERSION) wasm-bindgen-cli
+	$(CARGO) install --quiet --debug --root target/wasm-bindgen-$(BINDGEN_VERSION) --version $(BINDGEN_VERSION) wasm-bindgen-cli
 
 # pooltool pins a panda3d that no registry has, so nothing here is resolved: the file names every package.
 $(POOLTOOL)/.built: benches/pooltool/requirements.txt
