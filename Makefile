@@ -13,8 +13,6 @@ SCENARIOS := $(wildcard scenarios/*)
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 PAGE_ENGINE := web/engine/carom_wasm.js
-BINDGEN_VERSION := $(shell sed -n 's/^wasm-bindgen = "=\(.*\)"/\1/p' crates/carom-wasm/Cargo.toml)
-BINDGEN := target/wasm-bindgen-$(BINDGEN_VERSION)/bin/wasm-bindgen
 PAGE := $(shell find web -type f -not -path '*/node_modules/*' -not -path 'web/dist*' -not -path 'web/engine/*' 2>/dev/null)
 
 BUILT_PAGE := web/dist/carom-studio.html
@@ -218,16 +216,11 @@ web/node_modules/.package-lock.json: web/package-lock.json
 	cd web && npm ci --silent
 	@touch $@
 
-$(PAGE_ENGINE): $(BINDGEN) $(RUST) Cargo.toml Cargo.lock
+$(PAGE_ENGINE): $(RUST) Cargo.toml Cargo.lock
 	@$(need_rust)
 	@$(need_wasm)
 	$(CARGO) build --locked --profile page -p carom-wasm --target wasm32-unknown-unknown
-	$(BINDGEN) target/wasm32-unknown-unknown/page/carom_wasm.wasm --target web --omit-default-module-path --out-dir web/engine
-
-# An unoptimised build is there much sooner, and fast enough. Not --locked: registries that lag behind lack what it was locked to.
-$(BINDGEN):
-	@$(need_rust)
-	$(CARGO) install --quiet --debug --root target/wasm-bindgen-$(BINDGEN_VERSION) --version $(BINDGEN_VERSION) wasm-bindgen-cli
+	$(CARGO) run --locked --quiet -p carom-wasm --example bindgen -- target/wasm32-unknown-unknown/page/carom_wasm.wasm web/engine
 
 # pooltool pins a panda3d that no registry has, so nothing here is resolved: the file names every package.
 $(POOLTOOL)/.built: benches/pooltool/requirements.txt
