@@ -10,6 +10,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (Some(engine), Some(folder)) = (arguments.next(), arguments.next()) else {
         return Err("usage: bindgen ENGINE.wasm FOLDER".into());
     };
-    Bindgen::new().input_path(engine).web(true)?.omit_default_module_path(true).typescript(true).generate(folder)?;
+    Bindgen::new()
+        .input_path(engine)
+        .web(true)?
+        .omit_default_module_path(true)
+        .typescript(true)
+        .generate(folder)?;
     Ok(())
 }
