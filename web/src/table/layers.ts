@@ -5,7 +5,7 @@ import { lesson } from "../lessons/state";
 import { ownTrajectory } from "../own/layer";
 import { otherRun, partingPlace } from "../panels/compare/layer";
 import { drawing } from "../studio/store";
-import { balls } from "./balls";
+import { balls, ids } from "./balls";
 import { contacts } from "./contacts";
 import { drawArrow, drawTable, type Pen } from "./draw";
 import { now } from "./moment";
@@ -62,6 +62,7 @@ export const layers: Layer[] = [
   besideLessons(otherRun),
   unlessAhead(arrows),
   unlessAhead(spin),
+  ids,
   besideLessons(partingPlace),
   besideLessons(ownTrajectory),
   lessonDirections,
