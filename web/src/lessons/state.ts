@@ -170,7 +170,10 @@ effect(() => {
   seek(stop.time);
 });
 
-// Another scenario on the table ends the lesson.
+// Another scenario on the table ends the lesson, and its second run goes with it.
 effect(() => {
   if (scenario.value && lesson.peek() && !isMine()) lesson.value = null;
+});
+effect(() => {
+  if (!lesson.value) other.value = null;
 });
