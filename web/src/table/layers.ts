@@ -62,8 +62,8 @@ export const layers: Layer[] = [
   besideLessons(otherRun),
   unlessAhead(arrows),
   unlessAhead(spin),
-  ids,
   besideLessons(partingPlace),
   besideLessons(ownTrajectory),
+  ids,
   lessonDirections,
 ];
