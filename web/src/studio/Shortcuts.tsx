@@ -40,7 +40,7 @@ const IS_TURNED = "[role=tab]";
 /** What the space bar presses; a tab that is open already cannot be pressed. */
 const IS_PRESSED = "button:not([aria-selected=true]), a, summary, [role=button]";
 
-export function onShortcut(event: KeyboardEvent) {
+function onShortcut(event: KeyboardEvent) {
   const { target } = event;
   if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
   if (target instanceof Element && target.closest(USES_KEYS)) return;

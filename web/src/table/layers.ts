@@ -19,8 +19,6 @@ export type Layer = (pen: Pen, scene: Scene) => void;
 /** From so many balls on there are no arrows unless they are asked for. */
 const MANY = 60;
 
-export { now };
-
 const ground: Layer = (pen, { view, palette }) => {
   const drawn = drawing.value;
   if (drawn) drawTable(pen, drawn.table, view, palette);

@@ -14,7 +14,7 @@ export const ballShown = signal<number | null>(null);
 const visited = signal<number | null>(null);
 
 /** The places in the log of the rows that are shown; null is all of them. */
-export const shownRows = computed<Int32Array | null>(() => {
+const shownRows = computed<Int32Array | null>(() => {
   const [events, kind, ball] = [run.value?.events, kindShown.value, ballShown.value];
   if (!events || (kind === null && ball === null)) return null;
   const rows: number[] = [];
