@@ -152,7 +152,8 @@ function Studio() {
               </button>
             ))}
           </div>
-          <div role="tabpanel" id="panel" class="panel" aria-labelledby={`tab-${open.id}`}>
+          {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls is reached by keyboard, also a panel of text */}
+          <div role="tabpanel" id="panel" class="panel" aria-labelledby={`tab-${open.id}`} tabIndex={0}>
             <open.component />
           </div>
         </aside>
