@@ -62,6 +62,6 @@ export const layers: Layer[] = [
   unlessAhead(spin),
   besideLessons(partingPlace),
   besideLessons(ownTrajectory),
-  ids,
   lessonDirections,
+  ids,
 ];
