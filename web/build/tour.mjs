@@ -2,33 +2,16 @@
  * Takes the pictures of the studio for the docs: `make tour` writes them into docs/images/.
  */
 
-import { readFile } from "node:fs/promises";
-import { createServer } from "node:http";
-import { extname, join, normalize } from "node:path";
+import { join } from "node:path";
 import { chromium } from "playwright-core";
+import { preview } from "vite";
 
-const HERE = import.meta.dirname;
-const DIST = join(HERE, "../dist");
-const IMAGES = join(HERE, "../../docs/images");
-const TYPES = {
-  ".html": "text/html",
-  ".js": "text/javascript",
-  ".css": "text/css",
-  ".wasm": "application/wasm",
-};
+const ROOT = join(import.meta.dirname, "..");
+const IMAGES = join(ROOT, "../docs/images");
 const DESK = { width: 1280, height: 800 };
 
-const server = createServer(async (request, response) => {
-  const path = normalize(new URL(request.url, "http://page").pathname);
-  const file = join(DIST, path === "/" ? "index.html" : path);
-  const body = await readFile(file).catch(() => null);
-  response.writeHead(body ? 200 : 404, {
-    "content-type": TYPES[extname(file)] ?? "application/octet-stream",
-  });
-  response.end(body);
-});
-await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-const address = `http://127.0.0.1:${server.address().port}/`;
+const server = await preview({ root: ROOT, configFile: false, preview: { host: "127.0.0.1" } });
+const address = server.resolvedUrls.local[0];
 const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu"] });
 
@@ -83,4 +66,4 @@ for (const [name, fragment, prepare, viewport = DESK, colorScheme = "light"] of 
   await page.close();
 }
 await browser.close();
-server.close();
+await server.close();

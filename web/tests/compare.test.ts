@@ -46,3 +46,15 @@ test("what the method of steps cannot do is said", async () => {
   await page.getByLabel("The same in time steps").check();
   await expect.poll(() => page.getByRole("alert").first().textContent()).toContain("method.kind");
 });
+
+test("another scenario begins with nothing laid over it", async () => {
+  const page = await open("#stadium");
+  await page.getByRole("tab", { name: "Compare" }).click();
+  await page.getByLabel("A twin").check();
+  await page.getByText("part at time").waitFor();
+  await page.evaluate(() => {
+    location.hash = "midterm";
+  });
+  await expect.poll(() => page.locator(".clock").textContent()).toBe("0 of 5");
+  expect(await page.getByLabel("Nothing").isChecked()).toBe(true);
+});

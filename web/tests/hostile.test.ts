@@ -80,14 +80,14 @@ test("a scenario that inflates without end is refused", async () => {
 
 test("a link longer than two million letters is refused", async () => {
   await page.getByRole("tab", { name: "Files" }).click();
-  await page.getByLabel("Or its text, or a link:").evaluate((field: HTMLTextAreaElement) => {
+  await page.getByLabel("Or paste the text of a file, or a link:").evaluate((field: HTMLTextAreaElement) => {
     field.value = `#scenario=${"A".repeat(2_100_000)}`;
     field.dispatchEvent(new Event("input", { bubbles: true }));
   });
   await page.getByRole("button", { name: "Open this text" }).click();
   await page.getByText("The link is longer than the page takes.").waitFor({ timeout: SOON });
   await page.getByRole("button", { name: "Close", exact: true }).click();
-  await page.getByLabel("Or its text, or a link:").fill("");
+  await page.getByLabel("Or paste the text of a file, or a link:").fill("");
 });
 
 test("what takes minutes to set up is broken off, and the scenario before stays", async () => {

@@ -109,3 +109,18 @@ test("the time step and the butterfly answer from their runs", async () => {
   await predict(page, 60);
   expect(await skip(page)).toBe("17 hits");
 });
+
+test("what is asked for last is what is opened", async () => {
+  const page = await open("#midterm");
+  await page.locator(".clock").waitFor();
+  await page.evaluate(() => {
+    const then = (next: string) =>
+      window.addEventListener("hashchange", () => setTimeout(() => (location.hash = next)), { once: true });
+    then("lesson=butterfly");
+    location.hash = "lesson=pi";
+  });
+  // The one that was asked for first has come in as well by then.
+  await page.waitForTimeout(500);
+  expect(await page.locator("header h1").textContent()).toBe("The butterfly");
+  expect(await page.locator(".question form").count()).toBe(1);
+});

@@ -7,7 +7,7 @@ import { pathOf, type Step, valueAt, withValue } from "./paths";
 import type { Schema } from "./schema";
 
 /** What was typed at a place and is no part of a scenario. */
-export interface Refusal {
+interface Refusal {
   text: string;
   problems: Problem[];
 }

@@ -234,7 +234,7 @@ function Distances({ instant }: { instant: Instant }) {
   return (
     <p>
       {word("lessonApart", { distance: small(now) })}{" "}
-      {previous && word("timesAsFar", { factor: number(now / at(previous.time), 2) })}
+      {previous && word("timesAsFar", { factor: number(now / at(previous.time), 3) })}
     </p>
   );
 }

@@ -7,7 +7,7 @@ const ONE = 0;
 const TWO = 1;
 
 /** So far apart the two have parted: a quarter of the table's height. */
-export const PARTED = 0.5;
+const PARTED = 0.5;
 
 /** The hit after which the two are apart. */
 function parting({ main }: Course): Outcome {

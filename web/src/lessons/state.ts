@@ -5,6 +5,7 @@ import { Film } from "../engine/film";
 import type { Checked, Drawing, Values } from "../engine/protocol";
 import { SCENARIOS } from "../studio/scenarios";
 import {
+  beginOpening,
   closeScenario,
   drawing,
   engine,
@@ -69,9 +70,8 @@ export function openLesson(chosen: Lesson) {
   return openPart(0);
 }
 
-/** The scenario of this part, while it is the one on the table. */
-let mine: unknown = null;
-let isOpening = false;
+/** Whether nothing was opened since this part was. */
+let isMine = () => false;
 
 export async function openPart(next: number) {
   batch(() => {
@@ -84,15 +84,15 @@ export async function openPart(next: number) {
   });
   const opened = part.peek();
   if (!opened) return;
-  isOpening = true;
+  const isWanted = beginOpening();
+  isMine = isWanted;
   const isOpen = await settled(async () => {
-    await openText(await textOf(opened), "json");
+    await openText(await textOf(opened), "json", null, undefined, isWanted);
+    if (!isWanted()) return;
     speed.value = opened.speed;
     await compute(opened);
   });
-  isOpening = false;
-  mine = scenario.peek();
-  if (!isOpen) closeLesson();
+  if (!isOpen && isWanted()) closeLesson();
 }
 
 /** The table of a part as it is at the start. */
@@ -170,8 +170,10 @@ effect(() => {
   seek(stop.time);
 });
 
-// Another scenario on the table ends the lesson.
+// Another scenario on the table ends the lesson, and its second run goes with it.
 effect(() => {
-  const open = scenario.value;
-  if (lesson.peek() && !isOpening && mine && open !== mine) lesson.value = null;
+  if (scenario.value && lesson.peek() && !isMine()) lesson.value = null;
+});
+effect(() => {
+  if (!lesson.value) other.value = null;
 });

@@ -1,8 +1,9 @@
 /** The panel of what the run says of itself: how it ended, its digest, its audit, and the sources of its laws. */
 
-import { drawing, run, scenario, vocabulary } from "../studio/store";
+import { canUndo, drawing, run, scenario, vocabulary } from "../studio/store";
 import { number, word } from "../words";
 import type { Word } from "../words/en";
+import { wordOfKind } from "./events/log";
 import "../style/run.css";
 
 /** A source of a law, as the engine names it. */
@@ -38,7 +39,7 @@ export function RunPanel() {
       <h2>{word("eventsOfRun")}</h2>
       <dl>
         {happened.map(([kind, count]) => (
-          <Line key={kind} label={kind} value={number(count, 7)} isCode />
+          <Line key={kind} label={wordOfKind(kind)} value={number(count, 7)} />
         ))}
       </dl>
       <h2>{word("audit")}</h2>
@@ -56,7 +57,7 @@ export function RunPanel() {
           version: vocabulary.value?.version ?? "",
           physics: vocabulary.value?.physics_version ?? "",
         })}{" "}
-        {scenario.value?.name && word("verifyWith", { name: scenario.value.name })}
+        {scenario.value?.name && !canUndo.value && word("verifyWith", { name: scenario.value.name })}
       </p>
       <h2>{word("sources")}</h2>
       <ul class="sources">
@@ -71,10 +72,10 @@ export function RunPanel() {
   );
 }
 
-function Line({ label, value, isCode = false }: { label: string; value: string; isCode?: boolean }) {
+function Line({ label, value }: { label: string; value: string }) {
   return (
     <>
-      <dt>{isCode ? <code>{label}</code> : label}</dt>
+      <dt>{label}</dt>
       <dd>{value}</dd>
     </>
   );

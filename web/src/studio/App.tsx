@@ -152,8 +152,8 @@ function Studio() {
               </button>
             ))}
           </div>
-          {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls has to be reached by keyboard */}
-          <div role="tabpanel" id="panel" tabIndex={0} class="panel" aria-labelledby={`tab-${open.id}`}>
+          {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls is reached by keyboard, also a panel of text */}
+          <div role="tabpanel" id="panel" class="panel" aria-labelledby={`tab-${open.id}`} tabIndex={0}>
             <open.component />
           </div>
         </aside>

@@ -43,7 +43,7 @@ const GROUPS: { title: Word; names: string[] }[] = [
 ];
 
 /** The groups of those that there are; a scenario that none names stands in the last one. */
-export function groups(names: string[]): { title: Word; names: string[] }[] {
+function groups(names: string[]): { title: Word; names: string[] }[] {
   const placed = new Set([FIRST, ...GROUPS.flatMap((group) => group.names)]);
   const rest = { title: "groupMore" as const, names: names.filter((name) => !placed.has(name)) };
   const known = new Set(names);

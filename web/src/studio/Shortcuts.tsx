@@ -33,16 +33,18 @@ function go(target: number) {
   seek(target);
 }
 
-/** What uses keys itself: fields, lists, and what sits in a list of tabs. */
-const USES_KEYS =
-  "input, select, textarea, [contenteditable], [role=tab], [role=slider], [role=application], dialog";
-/** What the space bar presses. */
-const IS_PRESSED = "button, a, summary, [role=button]";
+/** What uses keys itself: fields and lists. */
+const USES_KEYS = "input, select, textarea, [contenteditable], [role=slider], [role=application], dialog";
+/** What the arrow keys turn. */
+const IS_TURNED = "[role=tab]";
+/** What the space bar presses; a tab that is open already cannot be pressed. */
+const IS_PRESSED = "button:not([aria-selected=true]), a, summary, [role=button]";
 
-export function onShortcut(event: KeyboardEvent) {
+function onShortcut(event: KeyboardEvent) {
   const { target } = event;
   if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
   if (target instanceof Element && target.closest(USES_KEYS)) return;
+  if (event.key.startsWith("Arrow") && target instanceof Element && target.closest(IS_TURNED)) return;
   if (event.key === "?") {
     isHelpShown.value = true;
     return;

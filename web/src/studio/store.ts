@@ -90,18 +90,33 @@ export const opened = signal(0);
 const GALLERY = { open: null as Open | null, past: [] as Open[], future: [] as Open[] };
 let good = GALLERY;
 
+/** The opening that was asked for last. */
+let latestOpening = {};
+
+/** Begins to open something; the answer says, also later, whether nothing else was opened or closed since. */
+export function beginOpening(): () => boolean {
+  const self = {};
+  latestOpening = self;
+  return () => latestOpening === self;
+}
+
 /** Opens a ready-made scenario. */
 export const openNamed = (name: string): Promise<boolean> => openText(SCENARIOS[name] ?? "", "toml", name);
 
-/** Opens a scenario; says whether it is one. The problems are told if not, and what was there before stays. */
+/**
+ * Opens a scenario unless something else is opened meanwhile; says whether it is one. The problems are told if not, and
+ * what was there before stays.
+ */
 export async function openText(
   text: string,
   format: "toml" | "json",
   name: string | null = null,
   link?: Claim,
+  isWanted = beginOpening(),
 ): Promise<boolean> {
   return settled(async () => {
     const checked = await engine.ask("check", { text, format });
+    if (!isWanted()) return;
     past.value = future.value = [];
     await put({ ...checked, name, ...(link ? { link } : {}) }, true);
   });
@@ -112,10 +127,11 @@ export async function openText(
  * that goes on with the one before is taken back together with it.
  */
 export async function change(values: Values, goesOn = false): Promise<boolean> {
-  const before = scenario.peek();
+  const [before, opening] = [scenario.peek(), opened.peek()];
   if (!before) return false;
   return settled(async () => {
     const checked = await engine.ask("check", { text: before.json, format: "json", values });
+    if (opened.peek() !== opening) return;
     if (!goesOn) past.value = [...past.peek(), before];
     future.value = [];
     await put({ ...checked, name: before.name }, false);
@@ -124,9 +140,10 @@ export async function change(values: Values, goesOn = false): Promise<boolean> {
 
 /** Puts another scenario in the place of this one, as one step that can be taken back. */
 export async function replace(json: string): Promise<boolean> {
-  const before = scenario.peek();
+  const [before, opening] = [scenario.peek(), opened.peek()];
   return settled(async () => {
     const checked = await engine.ask("check", { text: json, format: "json" });
+    if (opened.peek() !== opening) return;
     if (before) past.value = [...past.peek(), before];
     future.value = [];
     await put({ ...checked, name: before?.name ?? null }, false);
@@ -156,6 +173,7 @@ async function swap(from: typeof past, to: typeof past) {
 }
 
 export function closeScenario() {
+  beginOpening();
   for (const slot of latestRun.keys()) {
     latestRun.delete(slot);
     void engine.ask("cancel", { slot }).catch(() => {});
@@ -259,6 +277,7 @@ let isComingBack = false;
 
 /** The engine's runs are lost with it: the last good scenario comes back, and is computed anew. */
 engine.onLost = async (reason) => {
+  beginOpening();
   progress.value = null;
   const { open, past: before, future: after } = good;
   if (open && !isComingBack) {

@@ -17,7 +17,7 @@ const POWERS: Record<Quantity, [number, number, number]> = {
 const RAISED: Record<number, string> = { 2: "²" };
 
 /** The unit of a quantity; empty where the scenario does not name all that it is made of. */
-export function unitOf(quantity: Quantity): string {
+function unitOf(quantity: Quantity): string {
   const units = drawing.value?.units ?? {};
   const names = [units["mass"], units["length"], units["time"]];
   if (quantity === "energy" && names.join() === "kg,m,s") return "J";

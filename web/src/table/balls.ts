@@ -27,7 +27,16 @@ export const balls: Layer = (pen, scene) => {
     drawCopies(pen, scene, state, open);
   }
   drawBalls(pen, bodies, state, scene.view, scene.palette);
-  if (options.value.ids && bodies.length < MANY) drawIds(pen, scene, state);
+  pen.restore();
+};
+
+/** The ids, over the arrows that begin in the middle of the balls. */
+export const ids: Layer = (pen, scene) => {
+  const [state, drawn, open] = [now(), drawing.value, periods.value];
+  if (!state || !drawn || !options.value.ids || scene.bodies.length >= MANY) return;
+  pen.save();
+  if (open.x || open.y) clipToTable(pen, drawn.table, scene.view);
+  drawIds(pen, scene, state);
   pen.restore();
 };
 
@@ -85,16 +94,22 @@ function crossings(place: number, radius: number, period: [number, number] | nul
 }
 
 function drawIds(pen: Pen, { view, bodies }: Scene, { x, y }: Moment) {
-  const ids = drawing.value?.balls ?? [];
+  const balls = drawing.value?.balls ?? [];
+  pen.lineJoin = "round";
   pen.textAlign = "center";
   pen.textBaseline = "middle";
   bodies.forEach(({ radius, colour }, ball) => {
     const room = 1.7 * radius * view.scale;
-    const id = ids[ball]?.id ?? "";
+    const id = balls[ball]?.id ?? "";
     const letters = Math.min(room * 0.68, (1.6 * room) / Math.max(id.length, 1), 15);
     if (letters < SMALLEST || Number.isNaN(x[ball])) return;
     pen.font = `600 ${letters.toFixed(1)}px system-ui, sans-serif`;
+    const at = [view.x(x[ball] as number), view.y(y[ball] as number) + letters * 0.06] as const;
+    // A rim in the ball's colour keeps the letters off the arrow below them.
+    pen.strokeStyle = colour;
+    pen.lineWidth = letters * 0.3;
+    pen.strokeText(id, ...at);
     pen.fillStyle = inkOn(colour);
-    pen.fillText(id, view.x(x[ball] as number), view.y(y[ball] as number) + letters * 0.06);
+    pen.fillText(id, ...at);
   });
 }

@@ -39,14 +39,14 @@ const STILL = 4;
 /** From so many balls on there are no arrows. */
 const MANY = 60;
 /** Pixels from the rim of a ball at rest to the handle that an arrow can be drawn out of. */
-export const REST_HANDLE = 16;
+const REST_HANDLE = 16;
 /** An arrow that is shorter is none. */
 const NO_ARROW = 6;
 
 const startOf = (ball: number) => drawing.peek()?.balls[ball];
 
 /** Whether a ball's velocity is its own to give: one that a cue strikes begins at rest. */
-export function canHaveArrow(ball: number): boolean {
+function canHaveArrow(ball: number): boolean {
   const shot = written.value["shot"] as { cue_ball?: string } | undefined;
   return shot === undefined || startOf(ball)?.id !== (shot.cue_ball ?? "cue");
 }

@@ -5,7 +5,7 @@ import { lesson } from "../lessons/state";
 import { ownTrajectory } from "../own/layer";
 import { otherRun, partingPlace } from "../panels/compare/layer";
 import { drawing } from "../studio/store";
-import { balls } from "./balls";
+import { balls, ids } from "./balls";
 import { contacts } from "./contacts";
 import { drawArrow, drawTable, type Pen } from "./draw";
 import { now } from "./moment";
@@ -18,8 +18,6 @@ export type Layer = (pen: Pen, scene: Scene) => void;
 
 /** From so many balls on there are no arrows unless they are asked for. */
 const MANY = 60;
-
-export { now };
 
 const ground: Layer = (pen, { view, palette }) => {
   const drawn = drawing.value;
@@ -65,4 +63,5 @@ export const layers: Layer[] = [
   besideLessons(partingPlace),
   besideLessons(ownTrajectory),
   lessonDirections,
+  ids,
 ];

@@ -291,8 +291,8 @@ export const de: Words = {
   kind_ball_cushion: "Trifft die Bande",
   kind_hold: "Legt sich an die Bande",
   kind_release: "Löst sich von der Bande",
-  kind_cue_ball: "Der Queue stößt",
-  kind_miscue: "Der Queue rutscht ab",
+  kind_cue_ball: "Das Queue stößt",
+  kind_miscue: "Das Queue rutscht ab",
   kind_slide_to_roll: "Beginnt zu rollen",
   kind_slide_to_spin: "Ausgeglitten, dreht sich noch",
   kind_slide_to_rest: "Gleitet aus",
@@ -352,7 +352,7 @@ export const de: Words = {
   chooseFile: "Datei öffnen …",
   dropHint: "Oder eine Szenario-Datei irgendwo auf der Seite ablegen.",
   dropHere: "Ein Szenario, einen gespeicherten Lauf oder eine Bahn ablegen",
-  pasteText: "Oder ihr Text oder ein Link:",
+  pasteText: "Oder den Text einer Datei oder einen Link einfügen:",
   openText: "Diesen Text öffnen",
   fileTooLarge: "{name} ist größer, als die Seite annimmt.",
   fileNoText: "{name} ist kein Text in UTF-8.",
@@ -610,7 +610,7 @@ export const de: Words = {
   piTitle: "π abzählen",
   piLine: "Zwei Kugeln und eine Bande kennen die Ziffern von π. Wie viele Stöße werden es?",
   piSummary1:
-    "Bei Massenverhältnissen von 1, 100 und 10 000 sind es 3, 31 und 314 Stöße: die ersten Ziffern von π.",
+    "Bei Massenverhältnissen von 1, 100 und 10.000 sind es 3, 31 und 314 Stöße: die ersten Ziffern von π.",
   piSummary2:
     "Die Energie bleibt, also bewegen sich die beiden in einer Ebene skalierter Geschwindigkeiten auf einem Kreis; jeder Stoß dreht sie um denselben Winkel. Es geht weiter, bis der halbe Kreis durchlaufen ist.",
   piSummary3: "Hundertfache Masse macht den Winkel zehnmal kleiner: eine Ziffer mehr.",
@@ -682,7 +682,7 @@ export const de: Words = {
   initialEnergy: "Energie am Anfang",
   finalEnergy: "Energie am Ende",
   energyLoss: "Energie, die die Gesetze nahmen",
-  energyDrift: "Energie ohne Nachweis",
+  energyDrift: "Energie, deren Verbleib offen ist",
   momentumError: "Größter Impulsfehler bei einem Stoß",
   deepestOverlap: "Tiefste Überlappung zweier Kugeln",
   clusters: "Stöße mehrerer Kugeln zugleich",
@@ -701,7 +701,7 @@ export const de: Words = {
   status_collapsed: "Der Lauf endete bei {time}: Stöße folgten einander ohne Ende.",
   status_event_limit: "Der Lauf endete bei {time}, wo sein Vorrat an Ereignissen verbraucht war.",
   status_interrupted: "Der Lauf wurde bei {time} abgebrochen.",
-  status_miscue: "Die Pomeranze rutschte bei {time} ab: ein Fehlstoß.",
+  status_miscue: "Das Leder rutschte bei {time} ab: ein Kicks.",
 
   // A recorded run, played by itself
   recordedRun: "Ein aufgezeichneter Lauf",

@@ -345,7 +345,7 @@ export const en = {
   chooseFile: "Open a file …",
   dropHint: "Or drop a scenario file anywhere on the page.",
   dropHere: "Drop a scenario, a saved run or a trajectory",
-  pasteText: "Or its text, or a link:",
+  pasteText: "Or paste the text of a file, or a link:",
   openText: "Open this text",
   fileTooLarge: "{name} is larger than the page takes.",
   fileNoText: "{name} is no text in UTF-8.",
@@ -598,7 +598,7 @@ export const en = {
   piTitle: "Counting π",
   piLine: "Two balls and a cushion know the digits of π. How many collisions will there be?",
   piSummary1:
-    "With mass ratios of 1, 100 and 10 000 there are 3, 31 and 314 collisions: the first digits of π.",
+    "With mass ratios of 1, 100 and 10,000 there are 3, 31 and 314 collisions: the first digits of π.",
   piSummary2:
     "Energy stays, so in a plane of scaled velocities the two move on a circle; each collision turns them by the same angle. They go on until they are half way round.",
   piSummary3: "A hundred times the mass makes the angle ten times smaller: one more digit.",

@@ -50,5 +50,13 @@ export function number(value: number, digits = 4): string {
     format = new Intl.NumberFormat(language.value, { maximumSignificantDigits: digits, notation });
     formats.set(key, format);
   }
-  return format.format(value);
+  return format.format(value).replace(/E(.+)$/, (_, power: string) => ` × ${powerOfTen(power)}`);
 }
+
+const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** A power of ten as it is written by hand. */
+export const powerOfTen = (power: number | string) =>
+  `10${String(power)
+    .replace("-", "⁻")
+    .replace(/\d/g, (digit) => RAISED.charAt(Number(digit)))}`;

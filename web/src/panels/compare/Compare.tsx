@@ -1,7 +1,7 @@
 /** The panel that lays another run over the one on the table, and says how far they are apart. */
 
 import { drawing, run, seek } from "../../studio/store";
-import { number, word } from "../../words";
+import { number, powerOfTen, word } from "../../words";
 import { DifferenceGraph } from "./DifferenceGraph";
 import {
   apart,
@@ -97,7 +97,7 @@ function Nudge() {
       </label>
       <label class="field">
         <span>
-          {word("nudge")}: 10^{nudgePower.value}
+          {word("nudge")}: {powerOfTen(nudgePower.value)}
         </span>
         <input
           type="range"
@@ -105,7 +105,7 @@ function Nudge() {
           max={-1}
           step={1}
           value={nudgePower.value}
-          aria-valuetext={`10^${nudgePower.value}`}
+          aria-valuetext={powerOfTen(nudgePower.value)}
           onInput={(event) => {
             nudgePower.value = Number(event.currentTarget.value);
           }}

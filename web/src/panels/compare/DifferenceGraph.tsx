@@ -3,7 +3,7 @@
 import { useComputed } from "@preact/signals";
 import { useId } from "preact/hooks";
 import { endTime, seek, time } from "../../studio/store";
-import { number, word } from "../../words";
+import { number, powerOfTen, word } from "../../words";
 import { compared } from "./state";
 
 /** Width and height in the units of the drawing, and the room for the numbers of the axes. */
@@ -59,7 +59,7 @@ export function DifferenceGraph() {
           <g key={power}>
             <path class="grid" d={`M${LEFT} ${drawn.y(10 ** power)}H${WIDTH - 6}`} />
             <text x={LEFT - 6} y={drawn.y(10 ** power) + 4} text-anchor="end">
-              1e{power}
+              {powerOfTen(power)}
             </text>
           </g>
         ))}

@@ -3,7 +3,7 @@
 import { computed, effect, signal } from "@preact/signals";
 import { Problems } from "../../engine/client";
 import type { Problem, Slot, Values } from "../../engine/protocol";
-import { compute, drawing, engine, run, runs, scenario, settled, written } from "../../studio/store";
+import { compute, drawing, engine, opened, run, runs, scenario, settled, written } from "../../studio/store";
 import { difference } from "./difference";
 import { numbersIn } from "./numbers";
 
@@ -82,3 +82,8 @@ async function lay(json: string, values: Values, into: Slot) {
     }
   });
 }
+
+// Another scenario begins with nothing laid over it.
+effect(() => {
+  if (opened.value > 0) overlay.value = "none";
+});

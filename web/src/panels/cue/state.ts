@@ -57,7 +57,7 @@ effect(() => {
 });
 
 /** The first contact of the struck ball with another, as it is predicted. */
-export interface Contact {
+interface Contact {
   time: number;
   ball: number;
   other: number;

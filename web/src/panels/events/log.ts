@@ -14,7 +14,7 @@ export const ballShown = signal<number | null>(null);
 const visited = signal<number | null>(null);
 
 /** The places in the log of the rows that are shown; null is all of them. */
-export const shownRows = computed<Int32Array | null>(() => {
+const shownRows = computed<Int32Array | null>(() => {
   const [events, kind, ball] = [run.value?.events, kindShown.value, ballShown.value];
   if (!events || (kind === null && ball === null)) return null;
   const rows: number[] = [];
@@ -63,9 +63,11 @@ export function goTo(row: number) {
   seek(at);
 }
 
-/** The words for a kind; one that has none is named as the engine does. */
-export function kindWord(code: number): string {
-  const kind = vocabulary.value?.kinds[code] ?? "";
+/** The words for a kind by its code. */
+export const kindWord = (code: number): string => wordOfKind(vocabulary.value?.kinds[code] ?? "");
+
+/** The words for a kind by its name; one that has none is named as the engine does. */
+export function wordOfKind(kind: string): string {
   const key = `kind_${kind}`;
   return key in en ? word(key as Word) : kind;
 }

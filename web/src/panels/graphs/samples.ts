@@ -137,11 +137,7 @@ const GAUSS = [
 ] as const;
 
 /** The length of a flight in its first so many seconds: exact where it is straight, else a sum over short pieces. */
-export function flightLength(
-  { data: { numbers, width }, isOnCloth }: Film,
-  row: number,
-  time: number,
-): number {
+function flightLength({ data: { numbers, width }, isOnCloth }: Film, row: number, time: number): number {
   const at = row * width;
   const size = isOnCloth ? 3 : 2;
   const v = Array.from(numbers.subarray(at + 1 + size, at + 1 + 2 * size));
