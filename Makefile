@@ -65,7 +65,7 @@ both: ## Build the package and the page at once
 
 test-rust: ## Run the engine's tests, the golden digests in an unoptimised build too
 	@$(need_rust)
-	$(CARGO) test --locked --profile $(TEST_PROFILE) --workspace --exclude carom-python
+	$(CARGO) test --locked --profile $(TEST_PROFILE) -p carom
 	$(CARGO) test --locked -p carom --test digests
 
 test-python: build ## Run the package's tests
