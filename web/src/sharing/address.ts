@@ -40,9 +40,13 @@ export function followAddress() {
 
 const fragment = () => location.hash.slice(1);
 
+/** The fragment that was dealt with last. Another one is new: the event that tells of it has yet to come. */
+let seen = "";
+
 async function openAddress() {
   forgetMessages();
   const named = fragment();
+  seen = named;
   if (named === "" || named === FILE) {
     if (lesson.peek()) closeLesson();
     else if (scenario.peek()) closeScenario();
@@ -81,9 +85,10 @@ async function putAddress(open: Open | null) {
   // What else follows the scenario, such as a lesson that ends with it, has followed then.
   await Promise.resolve();
   const target = await fragmentFor(open);
-  if (scenario.peek() !== open || target === fragment()) return;
+  if (scenario.peek() !== open || target === fragment() || fragment() !== seen) return;
   const { pathname, search } = location;
   history.pushState(null, "", target === "" ? pathname + search : `#${target}`);
+  seen = fragment();
 }
 
 async function fragmentFor(open: Open | null): Promise<string> {
