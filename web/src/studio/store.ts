@@ -354,7 +354,8 @@ effect(() => {
   if (!isPlaying.value) return;
   let before = performance.now();
   let frame = requestAnimationFrame(function tick(now: number) {
-    const target = time.peek() + ((now - before) / 1000) * speed.peek();
+    // The first frame may have begun before it was asked for; time does not go back for that.
+    const target = time.peek() + (Math.max(now - before, 0) / 1000) * speed.peek();
     before = now;
     seek(target);
     if (target >= latest() && (run.peek()?.isWhole ?? true)) pause();
