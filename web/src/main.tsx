@@ -6,6 +6,7 @@ import { followAddress } from "./sharing/address";
 import { receive } from "./sharing/receive";
 import { App, headline } from "./studio/App";
 import { isEmbedded, openFramed } from "./studio/embed";
+import { fetchRest } from "./studio/later";
 import { begin } from "./studio/store";
 import { language, word } from "./words";
 import "./style/base.css";
@@ -20,7 +21,7 @@ effect(() => {
 
 const root = document.getElementById("studio");
 if (root) render(<App />, root);
-void begin();
+void begin().then(fetchRest);
 if (isEmbedded) void openFramed();
 else {
   followAddress();

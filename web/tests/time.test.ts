@@ -17,3 +17,17 @@ test("a scenario plays, and stands still when paused", async () => {
   await page.waitForTimeout(200);
   expect(await clock.textContent()).toBe(still);
 });
+
+test("once it is open the page needs no network", async () => {
+  const page = await open("#midterm");
+  await page.locator(".clock").waitFor();
+  await page.waitForLoadState("networkidle");
+  await page.context().setOffline(true);
+  for (const panel of ["Balls", "Graphs", "Events", "Compare", "Run", "Files"]) {
+    await page.getByRole("tab", { name: panel, exact: true }).click();
+    await expect
+      .poll(async () => (await page.getByRole("tabpanel").textContent())?.length)
+      .toBeGreaterThan(20);
+  }
+  expect(await page.locator(".message").count()).toBe(0);
+});

@@ -31,6 +31,7 @@ export const de: Words = {
   problemsTitle: "Das ist noch kein Szenario",
   moreProblems: "und {count} weitere",
   engineStuck: "Das dauert auf dieser Seite zu lange, deshalb wurde es abgebrochen.",
+  notFetched: "Dieser Teil der Seite ließ sich nicht laden. Gibt es ein Netz?",
   engineBroken: "Der Rechenkern ist ausgefallen, vielleicht aus Mangel an Speicher, und neu gestartet.",
   stillThere: "Das vorige Szenario ist noch da.",
   tooManyBalls:

@@ -28,6 +28,7 @@ export const en = {
   problemsTitle: "This is not a scenario yet",
   moreProblems: "and {count} more",
   engineStuck: "This takes too long in the page, so it was broken off.",
+  notFetched: "This part of the page could not be fetched. Is there a network?",
   engineBroken: "The engine broke down, perhaps for want of memory, and was started anew.",
   stillThere: "The scenario before is still there.",
   tooManyBalls:
