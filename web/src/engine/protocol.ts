@@ -120,9 +120,7 @@ export interface RunData {
   summary: Summary;
   film: FilmData;
   events: EventColumns;
-  /** Whether the run was broken off where the page keeps no more. */
-  isCut: boolean;
-  /** Why it was broken off, if it was. */
+  /** Why the run was broken off before its end; null where it was not. */
   cutBy: CutBy | null;
 }
 

@@ -183,7 +183,6 @@ function dataOf(run: Run, cutBy: CutBy | null, id: number): RunData {
     summary: part(JSON.parse(run.summary())),
     film: part(run.film() as unknown as FilmData),
     events: part(run.events() as unknown as EventColumns),
-    isCut: cutBy !== null,
     cutBy,
   };
 }

@@ -34,7 +34,6 @@ export function putOnTable(text: string) {
         summary,
         film: filmOf(written.film),
         events: eventsOf(written),
-        isCut: false,
         cutBy: null,
         isWhole: true,
       },

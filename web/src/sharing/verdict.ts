@@ -11,6 +11,6 @@ export const verdict = computed<Verdict | null>(() => {
   if (!claim?.digest || !vocabulary.value) return null;
   if (claim.physicsVersion !== vocabulary.value.physics_version) return "otherPhysics";
   const shown = run.value;
-  if (!shown?.isWhole || shown.isCut) return null;
+  if (!shown?.isWhole || shown.cutBy !== null) return null;
   return shown.summary.digest === claim.digest ? "same" : "different";
 });

@@ -27,7 +27,6 @@ export interface Shown {
   summary: Summary;
   film: Film;
   events: EventColumns;
-  isCut: boolean;
   cutBy: CutBy | null;
   /** Whether the run has ended. */
   isWhole: boolean;

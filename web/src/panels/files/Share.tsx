@@ -65,7 +65,7 @@ export function Share() {
 function useLink(): string {
   const link = useSignal("");
   const [open, shown, known] = [scenario.value, run.value, vocabulary.value];
-  const digest = shown?.isWhole && !shown.isCut ? shown.summary.digest : null;
+  const digest = shown?.isWhole && shown.cutBy === null ? shown.summary.digest : null;
   useEffect(() => {
     let isLate = false;
     const make = async () => {
