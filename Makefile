@@ -21,7 +21,7 @@ node_is_new = node -e 'const [a, b] = process.versions.node.split("."); process.
 HAS_NODE := $(shell $(node_is_new) 2>/dev/null && echo yes)
 
 .PHONY: help build run page package-page studio both tour test-page check-engine test test-rust test-python lint lint-rust lint-python format docs licences
-.PHONY: pictures third-party bench bench-gas bench-pooltool campaign campaign-gas digests checkpoint wheel wheel-check floors clean
+.PHONY: pictures third-party bench bench-gas bench-page bench-pooltool campaign campaign-gas digests checkpoint wheel wheel-check floors clean
 
 help: ## List these commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -121,6 +121,10 @@ bench: build ## Measure the engine, the package, and python-billiards beside it
 bench-gas: ## Measure gases of a thousand to a million discs, or one: make bench-gas GAS="0.5 10000 5e6"
 	@$(need_rust)
 	$(CARGO) run --locked --release -p carom --example gas -- $(GAS)
+
+bench-page: build page ## Measure the page in Chromium, and the native engine beside it
+	@$(need_chromium)
+	$(BIN)/python benches/page.py
 
 bench-pooltool: build $(POOLTOOL)/.built ## Play the same shots with pooltool 0.6.0, in a virtual environment of its own
 	$(BIN)/python benches/pooltool/compare.py

@@ -4,16 +4,17 @@ use crate::errors::{problem, simulation_error};
 use crate::run::Run;
 use crate::scenario::Scenario;
 use carom::run::{Kind, Log, SimulationError};
-use carom::scenario::schema::Record;
+use carom::scenario::{Scenario as Checked, schema::Record};
 use carom::simulate::{AnyRun, AnySimulation, Simulated, SimulationOf};
 use carom::with_any;
 use std::collections::VecDeque;
+use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
 /// A run under way, all of whose course is kept.
 #[wasm_bindgen]
 pub struct Computation {
-    scenario: carom::scenario::Scenario,
+    scenario: Rc<Checked>,
     simulation: AnySimulation,
 }
 
@@ -50,7 +51,7 @@ impl Computation {
             let (simulation, log) = (**inner).clone();
             simulation.finish(log).into()
         });
-        Run::new(self.scenario.clone(), run)
+        Run::new(Rc::clone(&self.scenario), run)
     }
 
     /// The same where the computation need not go on, without another copy of it.
@@ -73,8 +74,11 @@ pub fn run_at_once(scenario: &Scenario, interrupted: &js_sys::Function) -> Resul
 }
 
 /// The scenario whose runs keep everything, as what is drawn needs it.
-fn all_kept(scenario: &Scenario) -> carom::scenario::Scenario {
-    carom::scenario::Scenario { record: Some(Record::All), ..scenario.inner().clone() }
+fn all_kept(scenario: &Scenario) -> Rc<Checked> {
+    match scenario.record() {
+        Record::All => scenario.share(),
+        _ => Rc::new(Checked { record: Some(Record::All), ..Checked::clone(scenario) }),
+    }
 }
 
 fn kind(name: &str) -> Result<Kind, JsValue> {

@@ -8,17 +8,18 @@ use carom::simulate::{self, AnyRun};
 use carom::with_any;
 use js_sys::{Array, Float64Array, Int32Array, Object, Reflect, Uint32Array};
 use serde_json::json;
+use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
 /// A computed run, with the scenario as it was run.
 #[wasm_bindgen]
 pub struct Run {
-    scenario: Checked,
+    scenario: Rc<Checked>,
     run: AnyRun,
 }
 
 impl Run {
-    pub fn new(scenario: Checked, run: AnyRun) -> Self {
+    pub fn new(scenario: Rc<Checked>, run: AnyRun) -> Self {
         Self { scenario, run }
     }
 }

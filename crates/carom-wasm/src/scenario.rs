@@ -2,22 +2,30 @@
 
 use crate::errors::{problem, scenario_error};
 use carom::aim;
-use carom::scenario::{self, ScenarioError, value_of_toml};
+use carom::scenario::{Scenario as Checked, ScenarioError, value_of_toml};
 use serde_json::{Map, Value, json};
+use std::ops::Deref;
+use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
-/// A checked scenario.
+/// A checked scenario, shared with its runs.
 #[wasm_bindgen]
-pub struct Scenario(scenario::Scenario);
-
-type Checked = Result<Scenario, JsValue>;
+pub struct Scenario(Rc<Checked>);
 
 impl Scenario {
-    pub fn new(scenario: scenario::Scenario) -> Self {
-        Self(scenario)
+    pub fn new(scenario: Checked) -> Self {
+        Self(Rc::new(scenario))
     }
 
-    pub fn inner(&self) -> &scenario::Scenario {
+    pub fn share(&self) -> Rc<Checked> {
+        Rc::clone(&self.0)
+    }
+}
+
+impl Deref for Scenario {
+    type Target = Checked;
+
+    fn deref(&self) -> &Checked {
         &self.0
     }
 }
@@ -25,16 +33,16 @@ impl Scenario {
 #[wasm_bindgen]
 impl Scenario {
     /// Reads a scenario; the format is "toml" or "json". Balls of another file cannot be read here.
-    pub fn parse(text: &str, format: &str) -> Checked {
+    pub fn parse(text: &str, format: &str) -> Result<Self, JsValue> {
         let value = match format {
             "toml" => value_of_toml(text).map_err(|error| scenario_error(&error))?,
             _ => serde_json::from_str(text).map_err(|error| problem("scenario", &error.to_string()))?,
         };
-        checked(scenario::Scenario::from_value(&value))
+        checked(Checked::from_value(&value))
     }
 
     /// The scenario with the values of a JSON object put in at the paths that are its keys.
-    pub fn with_values(&self, values_json: &str) -> Checked {
+    pub fn with_values(&self, values_json: &str) -> Result<Self, JsValue> {
         let values: Map<String, Value> =
             serde_json::from_str(values_json).map_err(|error| problem("values", &error.to_string()))?;
         checked(self.0.with_values(&values.into_iter().collect::<Vec<_>>()))
@@ -52,7 +60,7 @@ impl Scenario {
 
     /// The scenario with its preset, its rack and its gas turned into plain keys.
     pub fn expanded(&self) -> Self {
-        Self(self.0.expanded().into_owned())
+        Self::new(self.0.expanded().into_owned())
     }
 
     /// What the stick of the shot meets where it strikes, as JSON text.
@@ -74,6 +82,6 @@ impl Scenario {
     }
 }
 
-fn checked(scenario: Result<scenario::Scenario, ScenarioError>) -> Checked {
-    scenario.map(Scenario).map_err(|error| scenario_error(&error))
+fn checked(scenario: Result<Checked, ScenarioError>) -> Result<Scenario, JsValue> {
+    scenario.map(Scenario::new).map_err(|error| scenario_error(&error))
 }

@@ -4,7 +4,7 @@ import type { Problem, Question, Questions, Reply, RunData } from "./protocol";
 import { spawn } from "./spawn";
 
 /** After so many milliseconds without a sign of life the worker is ended and started anew. */
-const PATIENCE = 1300;
+const PATIENCE = 1100;
 
 /** While the engine is loaded for the first time it may take longer. */
 const PATIENCE_AT_FIRST = 20_000;
