@@ -20,7 +20,7 @@ PACKAGED := python/carom/studio/page/index.html
 node_is_new = node -e 'const [a, b] = process.versions.node.split("."); process.exit(a < 20 || (a == 20 && b < 19) ? 1 : 0)'
 HAS_NODE := $(shell $(node_is_new) 2>/dev/null && echo yes)
 
-.PHONY: help build run page package-page studio both tour test-page check-engine test test-rust test-python lint lint-rust lint-python format docs licences
+.PHONY: help build run page package-page studio tour test-page check-engine test built-tests test-rust test-python lint lint-rust lint-python format docs licences
 .PHONY: pictures third-party bench bench-gas bench-page bench-pooltool campaign campaign-gas digests checkpoint wheel wheel-check floors clean
 
 help: ## List these commands
@@ -57,14 +57,18 @@ check-engine: ## Check the engine while you work on it: format, lints, laws, sce
 	$(CARGO) test --locked --quiet -p carom --lib --test arrows --test scenario --test digests
 	$(CARGO) test --locked --quiet -p carom --test engine -- laws references closed_forms
 
-test: both test-rust test-python test-page lint docs ## Run every test and lint, and build the site
+# What keeps one core busy, as linking the package does, goes on beside something else.
+test: ## Run every test and lint, and build the site
+	@$(MAKE) --no-print-directory --jobs=2 build page built-tests
+	@$(MAKE) --no-print-directory test-rust test-python test-page
+	@$(MAKE) --no-print-directory --jobs=2 lint-rust docs
+	@$(MAKE) --no-print-directory lint-python licences
 
-# The package and the page are linked on one core each, so they are built at once.
-both: ## Build the package and the page at once
-	@$(MAKE) --no-print-directory -j2 build page
-
-test-rust: ## Run the engine's tests, the golden digests in an unoptimised build too
+built-tests: ## Build the engine's tests
 	@$(need_rust)
+	$(CARGO) test --locked --profile $(TEST_PROFILE) -p carom --no-run
+
+test-rust: built-tests ## Run the engine's tests, the golden digests in an unoptimised build too
 	$(CARGO) test --locked --profile $(TEST_PROFILE) -p carom
 	$(CARGO) test --locked -p carom --test digests
 

@@ -70,6 +70,30 @@ test("the address names what is open, and going back closes it", async () => {
   expect(await fragment(page)).toBe("");
 });
 
+test("a change is in the address, so that a reload keeps it, and undo takes it back there too", async () => {
+  const page = await open();
+  await page.locator("[data-scenario=midterm]").click();
+  const duration = page.getByRole("spinbutton", { name: "Duration", exact: true });
+  const setTo = async (end: string) => {
+    await page.getByRole("tab", { name: "Setup" }).click();
+    await duration.fill(end);
+    await duration.press("Enter");
+    await expect.poll(() => clock(page).textContent()).toBe(`0 of ${end}`);
+  };
+  await setTo("7");
+  await expect.poll(() => fragment(page)).toMatch(/^#scenario=/);
+  const changed = await fragment(page);
+  await page.reload();
+  await expect.poll(() => clock(page).textContent()).toBe("0 of 7");
+  await setTo("8");
+  await expect.poll(() => fragment(page)).not.toBe(changed);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect.poll(() => fragment(page)).toBe(changed);
+  await page.goBack();
+  await page.locator(".cards").first().waitFor();
+  expect(await fragment(page)).toBe("");
+});
+
 test("a lesson has an address, and going back leaves it", async () => {
   const page = await open();
   await page.locator("[data-lesson]").first().click();

@@ -8,6 +8,7 @@ import { lessons } from "../lessons";
 import { closeLesson, lesson, openLesson } from "../lessons/state";
 import { SCENARIOS } from "../studio/scenarios";
 import {
+  canUndo,
   closeScenario,
   forgetMessages,
   type Open,
@@ -29,11 +30,22 @@ const FILE = "file";
 /** What the fragment of a lesson begins with. */
 const LESSON = "lesson=";
 
-/** Opens what the address names, now and whenever it changes, and puts into it what is opened otherwise. */
+/** Milliseconds without a change after which the address follows it: browsers refuse to have it written all the time. */
+const CALM = 300;
+
+/** Opens what the address names, now and whenever it changes, and puts into it what is opened or changed otherwise. */
 export function followAddress() {
   window.addEventListener("hashchange", () => void openAddress());
+  let known = opened.peek();
+  let waiting: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
-    if (opened.value > 0) void putAddress(scenario.peek());
+    const open = scenario.value;
+    const isNew = opened.value !== known;
+    known = opened.value;
+    clearTimeout(waiting);
+    const at = seen;
+    if (isNew) void putAddress(open, at, "pushState");
+    else if (open) waiting = setTimeout(() => void putAddress(open, at, "replaceState"), CALM);
   });
   void openAddress();
 }
@@ -81,20 +93,22 @@ async function openLink(named: string) {
   }
 }
 
-async function putAddress(open: Open | null) {
+/** Writes the address of a scenario, unless there is another scenario or another address meanwhile. */
+async function putAddress(open: Open | null, at: string, write: "pushState" | "replaceState") {
   // What else follows the scenario, such as a lesson that ends with it, has followed then.
   await Promise.resolve();
   const target = await fragmentFor(open);
-  if (scenario.peek() !== open || target === fragment() || fragment() !== seen) return;
+  if (scenario.peek() !== open || seen !== at || fragment() !== at || target === at) return;
   const { pathname, search } = location;
-  history.pushState(null, "", target === "" ? pathname + search : `#${target}`);
+  history[write](null, "", target === "" ? pathname + search : `#${target}`);
   seen = fragment();
 }
 
 async function fragmentFor(open: Open | null): Promise<string> {
   if (lesson.peek()) return LESSON + lesson.peek()?.id;
   if (!open) return "";
-  if (open.name ?? open.link) return open.name ?? (open.link?.fragment as string);
+  const asOpened = open.name ?? open.link?.fragment;
+  if (asOpened && !canUndo.peek()) return asOpened;
   const made = await fragmentOf(open.json, null, vocabulary.peek()?.physics_version ?? 0);
   return made.length <= LONGEST_ADDRESS ? made : FILE;
 }
