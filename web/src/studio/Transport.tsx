@@ -60,6 +60,7 @@ export function Transport() {
         <input
           type="range"
           {...SPEEDS}
+          aria-label={word("speed")}
           value={Math.round(Math.log10(speed.value) * 10)}
           aria-valuetext={word("speedOf", { speed: number(speed.value, 2) })}
           onInput={(event) => {
