@@ -69,6 +69,9 @@ test("gallery, table and lesson fit a phone, and the time stays under the thumb"
   const page = await open("", PHONE);
   await page.locator(".first").waitFor();
   expect(await fits(page)).toBe(true);
+  await openScenario(page, "pinball");
+  expect(await page.evaluate(() => window.scrollY)).toBe(0);
+  await page.getByRole("button", { name: "Gallery" }).click();
   await openScenario(page, "midterm");
   const tabs = page.getByRole("tab");
   for (let k = 0; k < (await tabs.count()); k++) {

@@ -94,6 +94,49 @@ test("a change is in the address, so that a reload keeps it, and undo takes it b
   expect(await fragment(page)).toBe("");
 });
 
+test("what is typed and not entered stays out of the scenario that is opened over it", async () => {
+  const page = await open("#eight_ball_break");
+  await clock(page).waitFor();
+  const [whole, address] = [await clock(page).textContent(), await fragment(page)];
+  await page.evaluate(() => {
+    location.hash = "midterm";
+  });
+  await expect.poll(() => clock(page).textContent()).toBe("0 of 5");
+  await page.getByRole("tab", { name: "Setup" }).click();
+  const duration = page.getByRole("spinbutton", { name: "Duration", exact: true });
+  await duration.click();
+  await page.keyboard.press("Control+A");
+  await page.keyboard.type("3");
+  await page.goBack();
+  await expect.poll(() => heading(page)).toContain("Eight-ball");
+  await page.getByRole("tab", { name: "Files" }).click();
+  await page.getByRole("button", { name: "Events CSV" }).and(page.locator(":enabled")).waitFor();
+  expect(await clock(page).textContent()).toBe(whole);
+  expect(await fragment(page)).toBe(address);
+});
+
+test("what is typed before the gallery is opened is kept in the address that Back leads to", async () => {
+  const page = await open("#midterm");
+  await clock(page).waitFor();
+  await page.getByRole("tab", { name: "Setup" }).click();
+  await page.getByRole("spinbutton", { name: "Duration", exact: true }).fill("3");
+  await page.getByRole("button", { name: "Gallery" }).click();
+  await page.locator(".cards").first().waitFor();
+  await expect.poll(() => fragment(page)).toBe("");
+  await page.goBack();
+  await expect.poll(() => clock(page).textContent()).toBe("0 of 3");
+});
+
+test("where nothing comes of a link the address goes back to what is there", async () => {
+  const page = await open("#midterm");
+  await clock(page).waitFor();
+  await page.evaluate(() => {
+    location.hash = "scenario=abc";
+  });
+  await page.locator(".stage .message").first().waitFor();
+  await expect.poll(() => fragment(page)).toBe("#midterm");
+});
+
 test("a lesson has an address, and going back leaves it", async () => {
   const page = await open();
   await page.locator("[data-lesson]").first().click();

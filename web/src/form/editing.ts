@@ -2,7 +2,16 @@
 
 import { computed, effect, signal } from "@preact/signals";
 import type { Problem, Values } from "../engine/protocol";
-import { change, drawing, engine, scenario, settled, written, wrongWith } from "../studio/store";
+import {
+  change,
+  drawing,
+  engine,
+  scenario,
+  settled,
+  untilOpening,
+  written,
+  wrongWith,
+} from "../studio/store";
 import { pathOf, type Step, valueAt, withValue } from "./paths";
 import type { Schema } from "./schema";
 
@@ -53,13 +62,14 @@ export function placeOf([first, second, ...rest]: readonly Step[]): string {
   return pathOf(second === undefined ? [first as Step] : [first as Step, second, ...rest]);
 }
 
-/** The problems of a scenario with some values, or null where the engine gives no answer. */
+/** The problems of a scenario with some values, or null without an answer or where it is another one by then. */
 export async function problemsWith(values: Values): Promise<Problem[] | null> {
+  const isStill = untilOpening();
   let problems: Problem[] = [];
   const isAnswered = await settled(async () => {
     problems = await wrongWith(values);
   });
-  return isAnswered ? problems : null;
+  return isAnswered && isStill() ? problems : null;
 }
 
 /** Puts values into the scenario, or keeps what was typed at a place with the problems. Says whether they are in. */

@@ -26,7 +26,7 @@ export function Explained({ instant }: { instant: Instant }) {
   );
 }
 
-const idOf = (ball: number) => drawing.value?.balls[ball]?.id ?? "";
+export const idOf = (ball: number) => drawing.value?.balls[ball]?.id ?? "";
 
 /** Who met whom, and how hard. */
 function happened({ first, after }: Instant): string {

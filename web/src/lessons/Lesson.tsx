@@ -9,7 +9,7 @@ import { Plate } from "../table/Plate";
 import { Table } from "../table/Table";
 import { number, word } from "../words";
 import { Chart } from "./Chart";
-import { Explained } from "./Explained";
+import { Explained, idOf } from "./Explained";
 import { Glass } from "./Glass";
 import { Beside, Prediction } from "./Prediction";
 import { Sheet } from "./Sheet";
@@ -123,6 +123,8 @@ function useHeadFocus(of: number) {
 /** The collision that it pauses at, or the last one before; and how many there were. */
 function Collision({ asked }: { asked: Part }) {
   const last = isPlaying.value ? undefined : past.value.at(-1);
+  const [count, all] = [past.value.length, collisions.value.length];
+  const ball = asked.watched === undefined ? "" : idOf(asked.watched);
   return (
     <section class="collision" aria-labelledby="collisions">
       <h3 id="collisions" class="unseen">
@@ -130,7 +132,7 @@ function Collision({ asked }: { asked: Part }) {
       </h3>
       <div aria-live="polite">{last && <Explained instant={last} />}</div>
       {asked.explanation === "distance" && <Chart />}
-      <p class="count">{word("lessonSoFar", { count: past.value.length, all: collisions.value.length })}</p>
+      <p class="count">{word(ball ? "lessonSoFarOf" : "lessonSoFar", { ball, count, all })}</p>
       <label class="choice">
         <input
           type="checkbox"
@@ -140,7 +142,9 @@ function Collision({ asked }: { asked: Part }) {
           }}
         />
         <span>
-          {asked.pauses === undefined ? word("pauseAtEach") : word("pauseAtFirst", { count: asked.pauses })}
+          {asked.pauses === undefined
+            ? word(ball ? "pauseAtEachOf" : "pauseAtEach", { ball })
+            : word("pauseAtFirst", { count: asked.pauses })}
         </span>
       </label>
     </section>

@@ -30,40 +30,74 @@ const FILE = "file";
 /** What the fragment of a lesson begins with. */
 const LESSON = "lesson=";
 
-/** Milliseconds without a change after which the address follows it: browsers refuse to have it written all the time. */
+/** Milliseconds between two changes of the address, as browsers refuse to have it written all the time. */
 const CALM = 300;
+
+/** What the address is to say. */
+interface Entry {
+  open: Open | null;
+  /** Whether it is no longer as it was opened. */
+  isChanged: boolean;
+  write: "pushState" | "replaceState";
+}
 
 /** Opens what the address names, now and whenever it changes, and puts into it what is opened or changed otherwise. */
 export function followAddress() {
   window.addEventListener("hashchange", () => void openAddress());
   let known = opened.peek();
-  let waiting: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
     const open = scenario.value;
     const isNew = opened.value !== known;
     known = opened.value;
-    clearTimeout(waiting);
-    const at = seen;
-    if (isNew) void putAddress(open, at, "pushState");
-    else if (open) waiting = setTimeout(() => void putAddress(open, at, "replaceState"), CALM);
+    if (isNew) {
+      putWaiting();
+      put({ open, isChanged: false, write: "pushState" });
+    } else if (open && !lesson.peek()) {
+      putSoon({ open, isChanged: canUndo.peek(), write: "replaceState" });
+    }
   });
   void openAddress();
+}
+
+/** A change that waits to be written. */
+let waiting: Entry | null = null;
+let timer: ReturnType<typeof setTimeout> | undefined;
+let lastWritten = Number.NEGATIVE_INFINITY;
+
+function putSoon(entry: Entry) {
+  waiting = entry;
+  clearTimeout(timer);
+  timer = setTimeout(putWaiting, lastWritten + CALM - performance.now());
+}
+
+function putWaiting() {
+  clearTimeout(timer);
+  if (!waiting) return;
+  put(waiting);
+  waiting = null;
+  lastWritten = performance.now();
 }
 
 const fragment = () => location.hash.slice(1);
 
 /** The fragment that was dealt with last. Another one is new: the event that tells of it has yet to come. */
 let seen = "";
+/** How often someone else than the page has changed the address. */
+let visits = 0;
 
 async function openAddress() {
   forgetMessages();
   const named = fragment();
   seen = named;
+  visits++;
+  waiting = null;
   if (named === "" || named === FILE) {
     if (lesson.peek()) closeLesson();
     else if (scenario.peek()) closeScenario();
-  } else if (!(await openFragment(named))) {
-    say("linkUnknown");
+  } else {
+    if (!(await openFragment(named))) say("linkUnknown");
+    // Where nothing came of it, the address goes back to what is there.
+    if (scenario.peek()) put({ open: scenario.peek(), isChanged: canUndo.peek(), write: "replaceState" });
   }
 }
 
@@ -93,22 +127,28 @@ async function openLink(named: string) {
   }
 }
 
-/** Writes the address of a scenario, unless there is another scenario or another address meanwhile. */
-async function putAddress(open: Open | null, at: string, write: "pushState" | "replaceState") {
-  // What else follows the scenario, such as a lesson that ends with it, has followed then.
-  await Promise.resolve();
-  const target = await fragmentFor(open);
-  if (scenario.peek() !== open || seen !== at || fragment() !== at || target === at) return;
+let writing: Promise<unknown> = Promise.resolve();
+
+/** Writes the address, one after the other. */
+function put(entry: Entry) {
+  const visit = visits;
+  writing = writing.then(() => write(entry, visit));
+}
+
+/** Writes the address, unless someone else has changed it meanwhile. */
+async function write({ open, isChanged, write }: Entry, visit: number) {
+  const target = await fragmentFor(open, isChanged);
+  if (visits !== visit || fragment() !== seen || target === seen) return;
   const { pathname, search } = location;
   history[write](null, "", target === "" ? pathname + search : `#${target}`);
   seen = fragment();
 }
 
-async function fragmentFor(open: Open | null): Promise<string> {
-  if (lesson.peek()) return LESSON + lesson.peek()?.id;
+async function fragmentFor(open: Open | null, isChanged: boolean): Promise<string> {
+  if (lesson.peek() && !isChanged) return LESSON + lesson.peek()?.id;
   if (!open) return "";
   const asOpened = open.name ?? open.link?.fragment;
-  if (asOpened && !canUndo.peek()) return asOpened;
+  if (asOpened && !isChanged) return asOpened;
   const made = await fragmentOf(open.json, null, vocabulary.peek()?.physics_version ?? 0);
   return made.length <= LONGEST_ADDRESS ? made : FILE;
 }

@@ -1,7 +1,7 @@
 /** The page: the gallery, or a table with its panels. */
 
 import { signal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import type { CutBy } from "../engine/protocol";
 import { closeLesson, lesson } from "../lessons/state";
 import { panels } from "../panels";
@@ -19,7 +19,17 @@ import { History } from "./History";
 import { Icon } from "./Icon";
 import { later } from "./later";
 import { isHelpShown, Shortcuts } from "./Shortcuts";
-import { closeScenario, endTime, notice, problems, run, scenario, written } from "./store";
+import {
+  changesAreIn,
+  closeScenario,
+  endTime,
+  notice,
+  opened,
+  problems,
+  run,
+  scenario,
+  written,
+} from "./store";
 import { Transport } from "./Transport";
 import { toggleTheme } from "./theme";
 
@@ -29,6 +39,8 @@ const Lesson = later(async () => (await import("../lessons/Lesson")).Lesson);
 export const openPanel = signal(panels[0]?.id ?? "");
 
 export function App() {
+  // What is opened is seen from its top, also from the middle of a long gallery.
+  useLayoutEffect(() => window.scrollTo(0, 0), [opened.value]);
   if (isEmbedded) return <Frame />;
   return (
     <>
@@ -75,7 +87,8 @@ function Header() {
         <button
           type="button"
           class="plain"
-          onClick={() => {
+          onClick={async () => {
+            await changesAreIn();
             if (lesson.peek()) closeLesson();
             else closeScenario();
           }}

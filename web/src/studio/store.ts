@@ -9,6 +9,7 @@ import type {
   Drawing,
   EventColumns,
   Problem,
+  Questions,
   RunData,
   Slot,
   Summary,
@@ -94,9 +95,33 @@ let latestOpening = {};
 
 /** Begins to open something; the answer says, also later, whether nothing else was opened or closed since. */
 export function beginOpening(): () => boolean {
-  const self = {};
-  latestOpening = self;
+  // What is being typed belongs to the scenario that is there still.
+  if (document.activeElement instanceof HTMLInputElement) document.activeElement.blur();
+  latestOpening = {};
+  return untilOpening();
+}
+
+/** Says, also later, whether nothing else was opened or closed since. */
+export function untilOpening(): () => boolean {
+  const self = latestOpening;
   return () => latestOpening === self;
+}
+
+/** How many changes are checked now. */
+let checks = 0;
+
+async function check(asked: Questions["check"]["asked"]): Promise<Checked> {
+  checks++;
+  try {
+    return await engine.ask("check", asked);
+  } finally {
+    checks--;
+  }
+}
+
+/** Waits until every change that was made is in the scenario, or refused. */
+export async function changesAreIn() {
+  while (checks > 0) await new Promise((resolve) => setTimeout(resolve));
 }
 
 /** Opens a ready-made scenario. */
@@ -126,11 +151,11 @@ export async function openText(
  * that goes on with the one before is taken back together with it.
  */
 export async function change(values: Values, goesOn = false): Promise<boolean> {
-  const [before, opening] = [scenario.peek(), opened.peek()];
+  const [before, isStill] = [scenario.peek(), untilOpening()];
   if (!before) return false;
   return settled(async () => {
-    const checked = await engine.ask("check", { text: before.json, format: "json", values });
-    if (opened.peek() !== opening) return;
+    const checked = await check({ text: before.json, format: "json", values });
+    if (!isStill()) return;
     if (!goesOn) past.value = [...past.peek(), before];
     future.value = [];
     await put({ ...checked, name: before.name }, false);
@@ -139,10 +164,10 @@ export async function change(values: Values, goesOn = false): Promise<boolean> {
 
 /** Puts another scenario in the place of this one, as one step that can be taken back. */
 export async function replace(json: string): Promise<boolean> {
-  const [before, opening] = [scenario.peek(), opened.peek()];
+  const [before, isStill] = [scenario.peek(), untilOpening()];
   return settled(async () => {
-    const checked = await engine.ask("check", { text: json, format: "json" });
-    if (opened.peek() !== opening) return;
+    const checked = await check({ text: json, format: "json" });
+    if (!isStill()) return;
     if (before) past.value = [...past.peek(), before];
     future.value = [];
     await put({ ...checked, name: before?.name ?? null }, false);
@@ -152,7 +177,7 @@ export async function replace(json: string): Promise<boolean> {
 /** Asks what is wrong with values without putting them in; an empty list when nothing is. */
 export async function wrongWith(values: Values): Promise<Problem[]> {
   try {
-    await engine.ask("check", { text: scenario.peek()?.json ?? "{}", format: "json", values });
+    await check({ text: scenario.peek()?.json ?? "{}", format: "json", values });
     return [];
   } catch (error) {
     if (error instanceof Problems) return error.problems;

@@ -462,6 +462,8 @@ export const de: Words = {
   cueBallStruck: "Gestoßene Kugel",
   cueGone: "Aus dem Spiel",
   cueNothingLeft: "Auf dem Tisch liegt keine Kugel mehr.",
+  cueStillRolls:
+    "Am Ende des Laufs rollen noch Kugeln. Mit einer längeren Dauer, im Aufbau, kommen sie zur Ruhe.",
   cueBallBack: "Kugel {id} war aus dem Spiel und liegt wieder auf dem Tisch.",
 
   // The gallery and its lessons
@@ -518,7 +520,9 @@ export const de: Words = {
   unitHits: "Banden",
   unitTableWidths: "Tischbreiten",
   lessonSoFar: "Stöße bisher: {count} von {all}",
+  lessonSoFarOf: "Stöße von {ball} bisher: {count} von {all}",
   pauseAtEach: "Bei jedem Stoß anhalten",
+  pauseAtEachOf: "Bei jedem Stoß von {ball} anhalten",
   pauseAtFirst: "Bei den ersten {count} Stößen anhalten",
   lessonGoOn: "Weiter",
   collisionOf: "Stoß {place} zur Zeit {time}",

@@ -452,6 +452,7 @@ export const en = {
   cueBallStruck: "Ball that is struck",
   cueGone: "Out of play",
   cueNothingLeft: "No ball is left on the table.",
+  cueStillRolls: "Balls still move when the run ends. With a longer duration, in Setup, they come to rest.",
   cueBallBack: "Ball {id} was out of play and is back on the table.",
 
   // The gallery and its lessons
@@ -506,7 +507,9 @@ export const en = {
   unitHits: "hits",
   unitTableWidths: "table widths",
   lessonSoFar: "Collisions so far: {count} of {all}",
+  lessonSoFarOf: "Collisions of {ball} so far: {count} of {all}",
   pauseAtEach: "Pause at each collision",
+  pauseAtEachOf: "Pause at each collision of {ball}",
   pauseAtFirst: "Pause at the first {count} collisions",
   lessonGoOn: "Go on",
   collisionOf: "Collision {place}, at time {time}",

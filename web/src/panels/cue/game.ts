@@ -50,7 +50,7 @@ export async function takeBack() {
 
 /** A scenario as far as it is looked at here. */
 interface Written {
-  balls: { id: string; position?: number[] }[];
+  balls: { id: string; position?: number[]; velocity?: number[] }[];
   shot?: Shot;
 }
 
@@ -62,6 +62,7 @@ export async function nextShot() {
   if (!isLeft) return say("cueNothingLeft");
   await settled(async () => {
     const next = JSON.parse(await engine.ask("finalScenario", { slot: "main" })) as Written;
+    if (next.balls.some(({ velocity }) => velocity?.some((part) => part !== 0))) return say("cueStillRolls");
     const isBack = !next.balls.some(({ id }) => id === before.ball) && (await putBack(next, before.ball));
     const { drawing: there } = await engine.ask("check", { text: JSON.stringify(next), format: "json" });
     const fresh = freshStroke(there, before.ball);
