@@ -85,6 +85,9 @@ test("a change is in the address, so that a reload keeps it, and undo takes it b
   const changed = await fragment(page);
   await page.reload();
   await expect.poll(() => clock(page).textContent()).toBe("0 of 7");
+  await page.getByLabel("Language").selectOption("de");
+  expect(await heading(page)).toContain("Zwei Kugeln");
+  await page.getByLabel("Sprache").selectOption("en");
   await setTo("8");
   await expect.poll(() => fragment(page)).not.toBe(changed);
   await page.getByRole("button", { name: "Undo" }).click();

@@ -12,7 +12,7 @@ import { Table } from "../table/Table";
 import { TableBar } from "../table/TableBar";
 import { LANGUAGES, type Language, language, number, speak, word } from "../words";
 import type { Word } from "../words/en";
-import { described } from "./describe";
+import { described, translated } from "./describe";
 import { isEmbedded } from "./embed";
 import { Gallery } from "./Gallery";
 import { History } from "./History";
@@ -75,7 +75,7 @@ export function headline(): string {
   const { name } = scenario.value;
   return name
     ? described(name).title
-    : String(written.value["title"] ?? word("title")).slice(0, LONGEST_TITLE);
+    : translated(String(written.value["title"] ?? word("title")).slice(0, LONGEST_TITLE));
 }
 
 function Header() {
