@@ -77,6 +77,14 @@ test("gallery, table and lesson fit a phone, and the time stays under the thumb"
   for (let k = 0; k < (await tabs.count()); k++) {
     await tabs.nth(k).click();
     expect(await fits(page), (await tabs.nth(k).textContent()) ?? "").toBe(true);
+    await expect
+      .poll(() =>
+        page
+          .getByRole("tabpanel")
+          .boundingBox()
+          .then((box) => box?.y),
+      )
+      .toBeLessThan(500);
   }
   await page.evaluate(() => window.scrollTo(0, document.body.scrollHeight));
   const bar = await page.locator(".transport").boundingBox();

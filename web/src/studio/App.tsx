@@ -159,6 +159,7 @@ function Studio() {
                 tabIndex={id === open.id ? 0 : -1}
                 onClick={() => {
                   openPanel.value = id;
+                  requestAnimationFrame(showPanel);
                 }}
               >
                 {word(label)}
@@ -173,6 +174,12 @@ function Studio() {
       )}
     </main>
   );
+}
+
+/** Where the panel is below the table, as on a phone, enough of both is brought into view. */
+function showPanel() {
+  const top = document.getElementById("panel")?.getBoundingClientRect().top ?? 0;
+  if (top > window.innerHeight * 0.6) window.scrollBy(0, top - window.innerHeight * 0.45);
 }
 
 function Stage() {
