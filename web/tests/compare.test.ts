@@ -39,6 +39,24 @@ test("a twin that starts in another place at once is parted at once, a near one 
   await expect.poll(parting).toBeGreaterThan(far);
 });
 
+test("the letters of the graph are as large at every width", async () => {
+  const page = await open("#stadium");
+  await page.getByRole("tab", { name: "Compare" }).click();
+  await page.getByLabel("A twin").check();
+  const graph = page.locator(".difference svg");
+  await graph.waitFor();
+  for (const [width, height] of [
+    [360, 740],
+    [740, 360],
+    [3840, 2160],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    const scale = () =>
+      graph.evaluate((svg: SVGSVGElement) => svg.getBoundingClientRect().width / svg.viewBox.baseVal.width);
+    await expect.poll(scale).toBeCloseTo(1, 2);
+  }
+});
+
 test("what the method of steps cannot do is said", async () => {
   const page = await open();
   await page.locator('[data-scenario="stadium"]').click();

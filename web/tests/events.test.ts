@@ -59,6 +59,45 @@ test("of a long log only what is in view is there, and the row of the moment sta
   expect(row && list && row.y + row.height <= list.y + list.height + 1).toBe(true);
 });
 
+/** What is cut off in the list, and what sticks out of its row. */
+const cutOff = (page: Page) =>
+  page.locator(".log-row").evaluateAll((rows) =>
+    rows.flatMap((row) => {
+      const outer = row.getBoundingClientRect();
+      const isCut = (part: Element) => {
+        const { width, right, bottom } = part.getBoundingClientRect();
+        const isOutside = width > 0 && (right > outer.right || bottom > outer.bottom + 0.5);
+        return isOutside || part.scrollWidth > part.clientWidth;
+      };
+      const parts = [row, ...row.querySelectorAll("[role], .kind, .who")];
+      return parts.filter(isCut).map(({ textContent }) => textContent);
+    }),
+  );
+
+test("all words of the list can be read at every width, in both languages", async () => {
+  for (const [locale, tab] of [
+    ["en-GB", "Events"],
+    ["de-DE", "Ereignisse"],
+  ] as const) {
+    const page = await open("#snooker_break", { locale });
+    await page.getByRole("tab", { name: tab }).click();
+    for (const [width, height] of [
+      [360, 740],
+      [840, 600],
+      [1000, 700],
+      [1280, 800],
+      [1920, 1080],
+      [3840, 2160],
+    ] as const) {
+      await page.setViewportSize({ width, height });
+      for (const scroll of [0, 600, 3000]) {
+        await page.locator(".log").evaluate((log, top) => log.scrollTo(0, top), scroll);
+        expect(await cutOff(page), `${locale}, ${width} pixels`).toEqual([]);
+      }
+    }
+  }
+});
+
 test("graphs and events are accessible", async () => {
   const page = await eventsOf("midterm");
   await page.getByRole("button", { name: "Next event" }).click();

@@ -95,6 +95,8 @@ test("the scenario and the run come back from their files, and pictures are pict
   expect(png.subarray(1, 4).toString()).toBe("PNG");
   const [, svg] = await saved(page, "Drawing SVG");
   expect(svg.toString()).toMatch(/^<svg .*<path .*<text .*>gold<.*<\/svg>$/s);
+  const [, width, height] = /^<svg [^>]*width="(\d+)" height="(\d+)"/.exec(svg.toString()) ?? [];
+  expect(svg.toString()).toMatch(new RegExp(`^<svg [^>]*viewBox="0 0 ${width} ${height}"`));
 });
 
 test("one's own trajectory lies over the run, with its largest distance", async () => {

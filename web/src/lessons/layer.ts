@@ -2,41 +2,15 @@
 
 import { drawing, time } from "../studio/store";
 import { drawArrow, type Pen, pixelsOf } from "../table/draw";
+import { drawOtherRun } from "../table/otherRun";
 import type { Scene } from "../table/Table";
-import { trail } from "../table/trails";
 import { drawn, isLocked, other, part, prediction, result } from "./state";
 
-/** So many flights of each ball have a trail. */
-const TRAIL_FLIGHTS = 400;
-
-/** The second run: dashed, so that it is told from the first without its colour. */
-export function lessonBalls(pen: Pen, { view, bodies, palette }: Scene) {
-  const film = other.value?.film;
-  if (!film || isLocked.value) return;
-  const state = film.at(Math.min(time.value, other.value?.summary.endTime ?? 0));
-  pen.save();
-  pen.lineWidth = 1.5;
-  bodies.forEach(({ radius, colour }, ball) => {
-    const points = trail(film, ball, time.value, TRAIL_FLIGHTS);
-    pen.setLineDash([2, 4]);
-    pen.strokeStyle = colour;
-    pen.beginPath();
-    for (let k = 0; k + 1 < points.length; k += 2) {
-      pen.lineTo(view.x(points[k] as number), view.y(points[k + 1] as number));
-    }
-    pen.stroke();
-    pen.setLineDash([5, 4]);
-    pen.beginPath();
-    const [x, y] = [view.x(state.x[ball] as number), view.y(state.y[ball] as number)];
-    pen.arc(x, y, pixelsOf(radius, view), 0, 2 * Math.PI);
-    pen.globalAlpha = 0.25;
-    pen.fillStyle = colour;
-    pen.fill();
-    pen.globalAlpha = 1;
-    pen.strokeStyle = palette.ink;
-    pen.stroke();
-  });
-  pen.restore();
+/** The second run, below the first. */
+export function lessonBalls(pen: Pen, scene: Scene) {
+  const second = other.value;
+  if (!second || isLocked.value) return;
+  drawOtherRun(pen, scene, second.film, Math.min(time.value, second.summary.endTime));
 }
 
 /** Pixels of an arrow beyond the rim of its ball. */

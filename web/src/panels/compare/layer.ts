@@ -1,36 +1,14 @@
-/** The other run on the table: rings where its balls are, their ways dashed, and the place where the runs part. */
+/** The other run on the table, and the place where the runs part. */
 
-import { drawing, run, time } from "../../studio/store";
-import { visible } from "../../table/contrast";
-import { pixelsOf } from "../../table/draw";
+import { run, time } from "../../studio/store";
 import type { Layer } from "../../table/layers";
-import { clipToTable, onTable, periods } from "../../table/periodic";
-import { drawWay } from "../../table/trails";
+import { drawOtherRun } from "../../table/otherRun";
+import { onTable, periods } from "../../table/periodic";
 import { compared, other } from "./state";
 
-/** So many flights of each ball have a trail. */
-const TRAIL_FLIGHTS = 2000;
-
 export const otherRun: Layer = (pen, scene) => {
-  const [shown, drawn, open] = [other.value, drawing.value, periods.value];
-  const { view, bodies, palette } = scene;
-  if (!shown || !drawn || shown.film.ballCount !== bodies.length) return;
-  const at = Math.min(time.value, shown.summary.endTime);
-  const moment = shown.film.at(at);
-  pen.save();
-  if (open.x || open.y) clipToTable(pen, drawn.table, view);
-  pen.setLineDash([5, 4]);
-  bodies.forEach(({ radius, colour }, ball) => {
-    drawWay(pen, scene, shown.film, ball, at, Math.ceil(TRAIL_FLIGHTS / bodies.length));
-    if (Number.isNaN(moment.x[ball])) return;
-    pen.beginPath();
-    const [x, y] = onTable(moment.x[ball] as number, moment.y[ball] as number, open);
-    pen.strokeStyle = visible(colour, palette.cloth, palette.ink);
-    pen.arc(view.x(x), view.y(y), pixelsOf(radius, view), 0, 2 * Math.PI);
-    pen.lineWidth = 2.5;
-    pen.stroke();
-  });
-  pen.restore();
+  const shown = other.value;
+  if (shown) drawOtherRun(pen, scene, shown.film, Math.min(time.value, shown.summary.endTime));
 };
 
 /** A cross where the ball that parts first is at that moment, once the time has come there. */

@@ -36,6 +36,8 @@ export async function svgPicture(): Promise<Blob> {
   const { Context } = await import("svgcanvas");
   const [width, height] = size();
   const pen = withTexts(new Context({ width, height }));
+  // With it a drawing that is made smaller or larger is scaled, and not cut off.
+  pen.getSvg().setAttribute("viewBox", `0 0 ${width} ${height}`);
   paint(pen as unknown as Pen, width, height);
   return new Blob([pen.getSerializedSvg()], { type: "image/svg+xml" });
 }

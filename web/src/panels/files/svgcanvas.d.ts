@@ -3,6 +3,7 @@ declare module "svgcanvas" {
   export class Context {
     constructor(options: { width: number; height: number });
     getSerializedSvg(): string;
+    getSvg(): SVGSVGElement;
     font: string;
     textAlign: string;
     textBaseline: string;
