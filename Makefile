@@ -62,7 +62,7 @@ test: ## Run every test and lint, and build the site
 	@$(MAKE) --no-print-directory --jobs=2 build page built-tests
 	@$(MAKE) --no-print-directory test-rust test-python test-page
 	@$(MAKE) --no-print-directory --jobs=2 lint-rust docs
-	@$(MAKE) --no-print-directory lint-python licences
+	@$(MAKE) --no-print-directory lint
 
 built-tests: ## Build the engine's tests
 	@$(need_rust)

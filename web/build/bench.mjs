@@ -8,21 +8,14 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { deflateRawSync } from "node:zlib";
-import { chromium } from "playwright-core";
-import { preview } from "vite";
+import { address, browser, end, ROOT } from "./served.mjs";
 
-const ROOT = join(import.meta.dirname, "..");
 const SCENARIOS = join(ROOT, "../scenarios");
 const GAS = { format: 1, collisions: 300_000, gas: { n: 10_000, packing_fraction: 0.3, seed: 1 } };
 const ENDLESS = { format: 1, collisions: 1000, gas: { n: 1_000_000, packing_fraction: 0.4, seed: 1 } };
 
 /** What the engine is timed with; its batches are long enough for the clock. */
 const cases = JSON.parse(process.argv[2] ?? "[]");
-
-const server = await preview({ root: ROOT, configFile: false, preview: { host: "127.0.0.1" } });
-const address = server.resolvedUrls.local[0];
-const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
-const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu"] });
 
 const median = (numbers) => numbers.toSorted((a, b) => a - b)[numbers.length >> 1];
 const linkTo = (scenario) => {
@@ -66,6 +59,7 @@ async function engine() {
       return times.toSorted((a, b) => a - b)[4];
     });
   }, texts);
+  await page.context().close();
   return seconds;
 }
 
@@ -90,7 +84,9 @@ async function frame() {
   await page.waitForTimeout(1000);
   await page.evaluate(() => window.own.clear());
   await page.waitForTimeout(5000);
-  return median(await page.evaluate(() => [...window.own.values()]));
+  const own = await page.evaluate(() => [...window.own.values()]);
+  await page.context().close();
+  return median(own);
 }
 
 /** Milliseconds from opening an address to seeing something. */
@@ -114,6 +110,5 @@ const measured = {
   table_ms: await until("#midterm", (page) => page.getByText("0 of 5", { exact: true }).waitFor()),
   refusal_ms: await until(linkTo(ENDLESS), (page) => page.getByText("takes too long").waitFor()),
 };
-await browser.close();
-await server.close();
+await end();
 console.log(JSON.stringify(measured));

@@ -3,17 +3,10 @@
  */
 
 import { join } from "node:path";
-import { chromium } from "playwright-core";
-import { preview } from "vite";
+import { address, browser, end, ROOT } from "./served.mjs";
 
-const ROOT = join(import.meta.dirname, "..");
 const IMAGES = join(ROOT, "../docs/images");
 const DESK = { width: 1280, height: 800 };
-
-const server = await preview({ root: ROOT, configFile: false, preview: { host: "127.0.0.1" } });
-const address = server.resolvedUrls.local[0];
-const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
-const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu"] });
 
 const seek = async (page, part) => {
   await page.locator(".transport .line input").fill(String(Math.round(part * 10_000)));
@@ -65,5 +58,4 @@ for (const [name, fragment, prepare, viewport = DESK, colorScheme = "light"] of 
   await page.screenshot({ path: join(IMAGES, `studio-${name}.png`) });
   await page.close();
 }
-await browser.close();
-await server.close();
+await end();

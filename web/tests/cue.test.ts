@@ -70,6 +70,20 @@ test("a cue ball that falls is out of play, and back for the next shot", async (
   expect(await page.locator(".cue .gone").count()).toBe(0);
 });
 
+test("the next shot waits for balls that move when the run ends, and says so", async () => {
+  const page = await openCue("eight_ball_break");
+  await page.getByRole("tab", { name: "Setup" }).click();
+  const duration = page.getByRole("spinbutton", { name: "Duration", exact: true });
+  await duration.fill("1");
+  await duration.press("Enter");
+  await expect.poll(() => clock(page)).toBe("0 of 1");
+  await toEnd(page);
+  await page.getByRole("tab", { name: "Cue" }).click();
+  await page.getByRole("button", { name: "Next shot" }).click();
+  await expect.poll(() => page.locator(".messages").textContent()).toContain("Balls still move");
+  expect(await clock(page)).toBe("1 of 1");
+});
+
 test("what the stick and the tip cannot do is said", async () => {
   const page = await openCue("nine_ball_break");
   await expect.poll(() => page.locator(".cue .obstructed").textContent()).toContain("cushion bottom");

@@ -98,6 +98,7 @@ test("the time step and the butterfly answer from their runs", async () => {
   const page = await openLesson("timestep");
   await predict(page, "earlier");
   expect(await skip(page)).toBe("later");
+  expect(await page.locator(".collision .count").textContent()).toMatch(/^Collisions of red so far: 4 of 6$/);
   await page.getByRole("button", { name: "Next part" }).click();
   await predict(page, 0.1);
   expect(await skip(page)).toBe("0.2828 table widths");

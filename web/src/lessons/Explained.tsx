@@ -5,7 +5,7 @@ import { drawing, run } from "../studio/store";
 import { number, word } from "../words";
 import { signed, small, vector } from "./format";
 import { distance, type Instant, isOfTwoBalls, justBefore } from "./instants";
-import { collisions, other, part, past, TOTALS_WIDTH, totals } from "./state";
+import { collisions, idOf, other, part, past, TOTALS_WIDTH, totals } from "./state";
 import type { Explanation } from "./types";
 
 const EXPLAINED: Record<Explanation, ComponentType<{ instant: Instant }>> = {
@@ -25,8 +25,6 @@ export function Explained({ instant }: { instant: Instant }) {
     </div>
   );
 }
-
-export const idOf = (ball: number) => drawing.value?.balls[ball]?.id ?? "";
 
 /** Who met whom, and how hard. */
 function happened({ first, after }: Instant): string {

@@ -9,13 +9,14 @@ import { Plate } from "../table/Plate";
 import { Table } from "../table/Table";
 import { number, word } from "../words";
 import { Chart } from "./Chart";
-import { Explained, idOf } from "./Explained";
+import { Explained } from "./Explained";
 import { Glass } from "./Glass";
 import { Beside, Prediction } from "./Prediction";
 import { Sheet } from "./Sheet";
 import {
   closeLesson,
   collisions,
+  idOf,
   isLocked,
   isPausing,
   lesson,

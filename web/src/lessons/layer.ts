@@ -1,6 +1,6 @@
 /** What a lesson draws on the table: the balls of its second run, and directions, the predicted and the real one. */
 
-import { drawing, time } from "../studio/store";
+import { drawing } from "../studio/store";
 import { drawArrow, type Pen, pixelsOf } from "../table/draw";
 import { drawOtherRun } from "../table/otherRun";
 import type { Scene } from "../table/Table";
@@ -8,9 +8,7 @@ import { drawn, isLocked, other, part, prediction, result } from "./state";
 
 /** The second run, below the first. */
 export function lessonBalls(pen: Pen, scene: Scene) {
-  const second = other.value;
-  if (!second || isLocked.value) return;
-  drawOtherRun(pen, scene, second.film, Math.min(time.value, second.summary.endTime));
+  if (other.value && !isLocked.value) drawOtherRun(pen, scene, other.value);
 }
 
 /** Pixels of an arrow beyond the rim of its ball. */

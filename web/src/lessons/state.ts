@@ -57,6 +57,9 @@ export const collisions = computed<Instant[]>(() =>
 /** The collisions up to now. */
 export const past = computed(() => collisions.value.filter((instant) => instant.time <= time.value));
 
+/** The id of a ball. */
+export const idOf = (ball: number) => drawing.value?.balls[ball]?.id ?? "";
+
 /** Whether it pauses at collisions. */
 export const isPausing = signal(true);
 

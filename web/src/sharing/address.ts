@@ -38,7 +38,7 @@ interface Entry {
   open: Open | null;
   /** Whether it is no longer as it was opened. */
   isChanged: boolean;
-  write: "pushState" | "replaceState";
+  how: "pushState" | "replaceState";
 }
 
 /** Opens what the address names, now and whenever it changes, and puts into it what is opened or changed otherwise. */
@@ -51,9 +51,9 @@ export function followAddress() {
     known = opened.value;
     if (isNew) {
       putWaiting();
-      put({ open, isChanged: false, write: "pushState" });
+      put({ open, isChanged: false, how: "pushState" });
     } else if (open && !lesson.peek()) {
-      putSoon({ open, isChanged: canUndo.peek(), write: "replaceState" });
+      putSoon({ open, isChanged: canUndo.peek(), how: "replaceState" });
     }
   });
   void openAddress();
@@ -97,7 +97,7 @@ async function openAddress() {
   } else {
     if (!(await openFragment(named))) say("linkUnknown");
     // Where nothing came of it, the address goes back to what is there.
-    if (scenario.peek()) put({ open: scenario.peek(), isChanged: canUndo.peek(), write: "replaceState" });
+    if (scenario.peek()) put({ open: scenario.peek(), isChanged: canUndo.peek(), how: "replaceState" });
   }
 }
 
@@ -129,18 +129,19 @@ async function openLink(named: string) {
 
 let writing: Promise<unknown> = Promise.resolve();
 
-/** Writes the address, one after the other. */
+/** Writes the address, one after the other; later, as what else follows the scenario, such as a lesson, has followed then. */
 function put(entry: Entry) {
   const visit = visits;
-  writing = writing.then(() => write(entry, visit));
+  // One that a browser refuses is told of, and holds up no other.
+  writing = writing.catch(() => {}).then(() => write(entry, visit));
 }
 
 /** Writes the address, unless someone else has changed it meanwhile. */
-async function write({ open, isChanged, write }: Entry, visit: number) {
+async function write({ open, isChanged, how }: Entry, visit: number) {
   const target = await fragmentFor(open, isChanged);
   if (visits !== visit || fragment() !== seen || target === seen) return;
   const { pathname, search } = location;
-  history[write](null, "", target === "" ? pathname + search : `#${target}`);
+  history[how](null, "", target === "" ? pathname + search : `#${target}`);
   seen = fragment();
 }
 

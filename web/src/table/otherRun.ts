@@ -1,7 +1,6 @@
 /** A second run on the table: its balls as dashed rings, and their ways dashed. */
 
-import type { Film } from "../engine/film";
-import { drawing } from "../studio/store";
+import { drawing, type Shown, time } from "../studio/store";
 import { inkOn } from "./contrast";
 import { type Body, type Pen, pixelsOf } from "./draw";
 import { clipToTable, onTable, periods } from "./periodic";
@@ -15,11 +14,12 @@ const [THIN, THICK, EDGE] = [1, 2.5, 0.5];
 /** A dash is so many times as long as the line is wide. */
 const DASH = 1.8;
 
-/** Draws the balls of a run at a time, and the ways that they have come. */
-export function drawOtherRun(pen: Pen, scene: Scene, film: Film, at: number) {
+/** Draws the balls of a run at the time of the table, or at its own end, and the ways that they have come. */
+export function drawOtherRun(pen: Pen, scene: Scene, { film, summary }: Shown) {
   const [drawn, open] = [drawing.value, periods.value];
   const { view, bodies } = scene;
   if (!drawn || film.ballCount !== bodies.length) return;
+  const at = Math.min(time.value, summary.endTime);
   const moment = film.at(at);
   pen.save();
   if (open.x || open.y) clipToTable(pen, drawn.table, view);

@@ -7,8 +7,7 @@ import { onTable, periods } from "../../table/periodic";
 import { compared, other } from "./state";
 
 export const otherRun: Layer = (pen, scene) => {
-  const shown = other.value;
-  if (shown) drawOtherRun(pen, scene, shown.film, Math.min(time.value, shown.summary.endTime));
+  if (other.value) drawOtherRun(pen, scene, other.value);
 };
 
 /** A cross where the ball that parts first is at that moment, once the time has come there. */
